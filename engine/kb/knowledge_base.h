@@ -1,0 +1,136 @@
+// The KnowledgeBase is everything an agent holds at one moment: its symbols, its composite states and models with their
+// evidence, the facts that are in force, and the goals and predictions that are still open.
+//
+// It is a value moved forward by events only: `Apply(event, &knowledge_base)` (engine/event/apply.h) is the one caller
+// of the functions under "changes". Iteration is by id, so by order of creation.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/kb/canonical.h"
+#include "engine/kb/composite_state.h"
+#include "engine/kb/model.h"
+
+namespace aerascope {
+
+// Where a piece of knowledge came from.
+enum class Origin {
+  kSeed,               // given by hand in the scenario
+  kInduction,          // from a change nothing predicted (CTPX)
+  kPredictionFailure,  // from a failed prediction (PTPX)
+  kGoalSuccess,        // from an unexpectedly reached goal (GTPX)
+  kAnalogy,            // by goal-driven analogy
+};
+
+enum class ModelState {
+  kActive,
+  kPhasedOut,  // strong, but failed too often: predicts silently until it recovers
+  kDeleted,    // remembered on the black list by its content
+};
+
+enum class FactSource {
+  kSensor,     // a value observed in this frame
+  kProperty,   // static: essence, shape, size; in force for the whole episode
+  kExecuted,   // a command that was really executed (efference copy)
+  kAbsence,    // concluded from something expected that did not happen
+};
+
+struct FactRecord {
+  FactId id;
+  Fact fact;
+  FactSource source = FactSource::kSensor;
+  EventId event;
+};
+
+struct CompositeStateRecord {
+  CompositeState state;
+  Origin origin = Origin::kSeed;
+  CompositeStateId derived_from;  // by analogy; else invalid
+  Time created;
+  EventId event;
+  Canonical canonical;
+};
+
+struct ModelRecord {
+  Model model;
+  Origin origin = Origin::kSeed;
+  ModelId derived_from;  // by analogy; else invalid
+  Time created;
+  EventId event;
+  Evidence evidence;
+  bool strong = false;  // confirmed often enough (strength 1, semantics 3.5)
+  ModelState state = ModelState::kActive;
+  Canonical canonical;
+};
+
+struct GoalRecord {
+  GoalId id;
+  GoalId super_goal;  // invalid for a drive
+  Fact target;        // payload may hold variables and wildcards
+  EventId event;
+};
+
+struct PredictionRecord {
+  PredictionId id;
+  ModelId model;
+  std::vector<ModelId> requirements;  // the weak requirement models that allowed it
+  Fact target;
+  EventId event;
+};
+
+class KnowledgeBase {
+ public:
+  const std::vector<Term>& symbols() const { return symbols_; }
+  const std::map<CompositeStateId, CompositeStateRecord>& composite_states() const { return composite_states_; }
+  const std::map<ModelId, ModelRecord>& models() const { return models_; }  // deleted ones included
+  const std::map<FactId, FactRecord>& facts() const { return facts_; }      // in force in the current frame
+  const std::map<GoalId, GoalRecord>& goals() const { return goals_; }
+  const std::map<PredictionId, PredictionRecord>& predictions() const { return predictions_; }
+  Time now() const { return now_; }
+  std::int64_t frame() const { return frame_; }
+
+  const CompositeStateRecord* Find(CompositeStateId id) const;
+  const ModelRecord* Find(ModelId id) const;
+  // The knowledge with this content, deleted models included; an invalid id if there is none.
+  CompositeStateId FindState(Hash128 content) const;
+  ModelId FindModel(Hash128 content) const;
+  Canonical CanonicalOf(const CompositeState& state) const;
+  Canonical CanonicalOf(const Model& model) const;
+  // The weak and strong requirement models that speak about a causal model and are not deleted, by id.
+  const std::vector<ModelId>& RequirementsOf(ModelId causal_model) const;
+
+  // Changes; called by Apply only.
+  void SetNow(Time now, std::int64_t frame);
+  void AddSymbol(Term symbol);
+  void AddFact(FactRecord record);
+  void ExpireFacts(Time now);  // drops facts whose interval ended at or before now
+  void AddCompositeState(CompositeStateRecord record);  // computes the canonical form
+  void AddModel(ModelRecord record);                    // computes the canonical form
+  void SetEvidence(ModelId id, Evidence evidence, bool strong);
+  void SetState(ModelId id, ModelState state);
+  void OpenGoal(GoalRecord record);
+  void CloseGoal(GoalId id);
+  void OpenPrediction(PredictionRecord record);
+  void ClosePrediction(PredictionId id);
+
+ private:
+  Definitions DefinitionsHere() const;
+  aerascope::CanonicalOf CanonicalLookup() const;
+
+  Time now_;
+  std::int64_t frame_ = 0;
+  std::vector<Term> symbols_;
+  std::map<CompositeStateId, CompositeStateRecord> composite_states_;
+  std::map<ModelId, ModelRecord> models_;
+  std::map<FactId, FactRecord> facts_;
+  std::map<GoalId, GoalRecord> goals_;
+  std::map<PredictionId, PredictionRecord> predictions_;
+  std::map<Hash128, CompositeStateId> state_by_content_;
+  std::map<Hash128, ModelId> model_by_content_;
+  std::map<ModelId, std::vector<ModelId>> requirements_;
+};
+
+}  // namespace aerascope
