@@ -1,0 +1,583 @@
+// The kinds of events: what can happen in an episode, one struct a kind, each field with a name and a sentence.
+//
+// This is the schema. The store makes a table a kind from it, the exporters print it, the digest runs over it and
+// docs/event-schema.md is generated from it. A new field or kind is added here and nowhere else; a change of meaning
+// raises kSchemaVersion (engine/store). Field types: ids, numbers, booleans, enums with EnumNames, strings, Term, Time,
+// TimeInterval, Fact, Evidence, CompositeState, Model, lists of those, and lists of structs with fields of their own.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "engine/kb/knowledge_base.h"
+
+namespace aerascope {
+
+// One field of an event body: its stable name, what it says (with unit), and where it is.
+template <class Body, class Value>
+struct Field {
+  std::string_view name;
+  std::string_view meaning;
+  Value Body::* member;
+};
+template <class Body, class Value>
+Field(std::string_view, std::string_view, Value Body::*) -> Field<Body, Value>;
+
+// Calls visit(field) for each field of Body, in order.
+template <class Body, class Visit>
+constexpr void ForEachField(Visit&& visit) {
+  std::apply([&](const auto&... field) { (visit(field), ...); }, Body::Fields());
+}
+
+// The stable names of an enum's values, in order of the values from 0.
+template <class Enum>
+inline constexpr std::array<std::string_view, 0> kEnumNames{};
+
+template <>
+inline constexpr std::array<std::string_view, 5> kEnumNames<Origin>{"seed", "induction", "prediction_failure",
+                                                                    "goal_success", "analogy"};
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<ModelState>{"active", "phased_out", "deleted"};
+template <>
+inline constexpr std::array<std::string_view, 4> kEnumNames<FactSource>{"sensor", "property", "executed", "absence"};
+
+template <class Enum>
+constexpr std::string_view EnumName(Enum value) {
+  return kEnumNames<Enum>[static_cast<std::size_t>(value)];
+}
+
+// ---------------------------------------------------------------------------------------------- start, frames, world
+
+struct Parameter {
+  std::string name;
+  std::string value;
+  static constexpr auto Fields() {
+    return std::tuple{Field{"name", "name of the parameter", &Parameter::name},
+                      Field{"value", "its value as text", &Parameter::value}};
+  }
+};
+
+struct EpisodeStarted {
+  std::string scenario;
+  std::string world;
+  std::int64_t seed = 0;
+  std::int64_t sampling_period_us = 0;
+  std::vector<Parameter> parameters;
+  static constexpr std::string_view kName = "EpisodeStarted";
+  static constexpr std::string_view kMeaning = "An episode begins, with these settings.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"scenario", "title of the scenario", &EpisodeStarted::scenario},
+        Field{"world", "kind of world: scripted or mujoco", &EpisodeStarted::world},
+        Field{"seed", "random seed of the world", &EpisodeStarted::seed},
+        Field{"sampling_period_us", "length of a frame, microseconds", &EpisodeStarted::sampling_period_us},
+        Field{"parameters", "the reasoner's parameters", &EpisodeStarted::parameters}};
+  }
+};
+
+struct SymbolDeclared {
+  Term symbol;
+  static constexpr std::string_view kName = "SymbolDeclared";
+  static constexpr std::string_view kMeaning = "The seed names an entity or an ontology symbol.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"symbol", "the entity or ontology symbol", &SymbolDeclared::symbol}};
+  }
+};
+
+struct FrameStarted {
+  TimeInterval interval;
+  static constexpr std::string_view kName = "FrameStarted";
+  static constexpr std::string_view kMeaning = "A sampling period begins; facts of earlier ones are over.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"interval", "the sampling period", &FrameStarted::interval}};
+  }
+};
+
+struct WorldStateRecorded {
+  Time at;
+  std::vector<double> qpos;
+  std::vector<double> qvel;
+  std::vector<double> ctrl;
+  static constexpr std::string_view kName = "WorldStateRecorded";
+  static constexpr std::string_view kMeaning = "The state of the world at one instant, enough to draw it again.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"at", "when, microseconds of engine time", &WorldStateRecorded::at},
+        Field{"qpos", "generalised positions (m, rad, unit quaternions)", &WorldStateRecorded::qpos},
+        Field{"qvel", "generalised velocities (m/s, rad/s)", &WorldStateRecorded::qvel},
+        Field{"ctrl", "actuator controls", &WorldStateRecorded::ctrl}};
+  }
+};
+
+struct FactObserved {
+  FactId fact_id;
+  Fact fact;
+  FactSource source = FactSource::kSensor;
+  static constexpr std::string_view kName = "FactObserved";
+  static constexpr std::string_view kMeaning = "A fact became known: sensed, given, really executed, or concluded.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"fact_id", "number of the fact", &FactObserved::fact_id},
+                      Field{"fact", "what held, and when", &FactObserved::fact},
+                      Field{"source", "sensor, property, executed command, or absence", &FactObserved::source}};
+  }
+};
+
+// ------------------------------------------------------------------------------------------------ knowledge is made
+
+struct CompositeStateCreated {
+  CompositeState state;
+  Origin origin = Origin::kSeed;
+  CompositeStateId derived_from;
+  static constexpr std::string_view kName = "CompositeStateCreated";
+  static constexpr std::string_view kMeaning = "A composite state enters the knowledge base.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"state", "its number and definition", &CompositeStateCreated::state},
+        Field{"origin", "how it came about", &CompositeStateCreated::origin},
+        Field{"derived_from", "the composite state generalised by analogy", &CompositeStateCreated::derived_from}};
+  }
+};
+
+struct ModelCreated {
+  Model model;
+  Evidence evidence;
+  bool strong = false;
+  Origin origin = Origin::kSeed;
+  ModelId derived_from;
+  static constexpr std::string_view kName = "ModelCreated";
+  static constexpr std::string_view kMeaning = "A model enters the knowledge base.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"model", "its number and definition", &ModelCreated::model},
+                      Field{"evidence", "first evidence; confidence = positive / total", &ModelCreated::evidence},
+                      Field{"strong", "whether it starts confirmed", &ModelCreated::strong},
+                      Field{"origin", "how it came about", &ModelCreated::origin},
+                      Field{"derived_from", "the model generalised by analogy", &ModelCreated::derived_from}};
+  }
+};
+
+enum class InductionKind { kChange, kPredictionFailure, kGoalSuccess };
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<InductionKind>{"change", "prediction_failure",
+                                                                           "goal_success"};
+
+struct InductionStarted {
+  InductionKind induction = InductionKind::kChange;
+  FactId premise;
+  FactId consequent;
+  static constexpr std::string_view kName = "InductionStarted";
+  static constexpr std::string_view kMeaning = "Something happened that nothing predicted; a cause is looked for.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"induction", "what set it off", &InductionStarted::induction},
+                      Field{"premise", "the fact before", &InductionStarted::premise},
+                      Field{"consequent", "the fact after", &InductionStarted::consequent}};
+  }
+};
+
+enum class CauseVerdict {
+  kBuilt,             // a model was made of it
+  kNoSharedValue,     // nothing in common with what changed
+  kTooLate,           // not before the consequent
+  kSimultaneous,      // in step with the premise: a condition, not a cause
+  kNoGuardForm,       // no formula leads from premise and cause to the consequent
+  kNoCompositeState,  // fewer than two conditions could be put together
+  kFreeVariable,      // the consequent holds something neither cause nor condition gives
+  kBlackListed,       // the same model failed and was deleted before
+  kDuplicate,         // the same model is known already
+};
+template <>
+inline constexpr std::array<std::string_view, 9> kEnumNames<CauseVerdict>{
+    "built",         "no_shared_value", "too_late",     "simultaneous", "no_guard_form", "no_composite_state",
+    "free_variable", "black_listed",    "duplicate"};
+
+struct CauseConsidered {
+  FactId fact_id;
+  CauseVerdict verdict = CauseVerdict::kBuilt;
+  std::string guard_form;
+  static constexpr std::string_view kName = "CauseConsidered";
+  static constexpr std::string_view kMeaning = "Induction looked at one earlier fact as the possible cause.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"fact_id", "the candidate cause", &CauseConsidered::fact_id},
+        Field{"verdict", "built, or why not", &CauseConsidered::verdict},
+        Field{"guard_form", "formula from premise to consequent: timing, sum, product, rate ...",
+              &CauseConsidered::guard_form}};
+  }
+};
+
+// ----------------------------------------------------------------------------------------------------------- chaining
+
+struct IcstFound {
+  FactId fact_id;
+  Fact fact;
+  static constexpr std::string_view kName = "IcstFound";
+  static constexpr std::string_view kMeaning = "A composite state holds; its causes are its components in order.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"fact_id", "number of the instance as a fact", &IcstFound::fact_id},
+                      Field{"fact", "the instance, its interval and confidence", &IcstFound::fact}};
+  }
+};
+
+struct ImdlPredicted {
+  FactId fact_id;
+  ModelId requirement;
+  Fact fact;
+  static constexpr std::string_view kName = "ImdlPredicted";
+  static constexpr std::string_view kMeaning = "A requirement model says that a model will be right (or, negative, wrong).";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"fact_id", "number of the instance as a fact", &ImdlPredicted::fact_id},
+        Field{"requirement", "the requirement model", &ImdlPredicted::requirement},
+        Field{"fact", "the model instance, its interval; confidence = composite state x requirement model",
+              &ImdlPredicted::fact}};
+  }
+};
+
+struct PredictionMade {
+  PredictionId prediction;
+  ModelId model;
+  std::vector<ModelId> requirements;
+  FactId input;
+  Fact target;
+  static constexpr std::string_view kName = "PredictionMade";
+  static constexpr std::string_view kMeaning = "A model fired: its right side is expected.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"prediction", "number of the prediction", &PredictionMade::prediction},
+        Field{"model", "the model that fired", &PredictionMade::model},
+        Field{"requirements", "the requirement models that allowed it", &PredictionMade::requirements},
+        Field{"input", "the fact on its left side; none in a simulation", &PredictionMade::input},
+        Field{"target", "what is expected, when; confidence = input x model", &PredictionMade::target}};
+  }
+};
+
+struct PredictionSucceeded {
+  PredictionId prediction;
+  FactId evidence;
+  static constexpr std::string_view kName = "PredictionSucceeded";
+  static constexpr std::string_view kMeaning = "What was expected was seen.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"prediction", "the prediction", &PredictionSucceeded::prediction},
+                      Field{"evidence", "the fact that shows it", &PredictionSucceeded::evidence}};
+  }
+};
+
+struct PredictionFailed {
+  PredictionId prediction;
+  FactId evidence;
+  static constexpr std::string_view kName = "PredictionFailed";
+  static constexpr std::string_view kMeaning = "Something else than expected was seen, or nothing in time.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"prediction", "the prediction", &PredictionFailed::prediction},
+                      Field{"evidence", "the fact that shows it; none if nothing came in time", &PredictionFailed::evidence}};
+  }
+};
+
+struct EvidenceUpdated {
+  ModelId model;
+  bool success = false;
+  Evidence before;
+  Evidence after;
+  bool strong_before = false;
+  bool strong_after = false;
+  static constexpr std::string_view kName = "EvidenceUpdated";
+  static constexpr std::string_view kMeaning = "An outcome moved a model's evidence.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"model", "the model", &EvidenceUpdated::model},
+                      Field{"success", "whether it was right", &EvidenceUpdated::success},
+                      Field{"before", "evidence before", &EvidenceUpdated::before},
+                      Field{"after", "evidence after", &EvidenceUpdated::after},
+                      Field{"strong_before", "confirmed before", &EvidenceUpdated::strong_before},
+                      Field{"strong_after", "confirmed after", &EvidenceUpdated::strong_after}};
+  }
+};
+
+struct ModelStateChanged {
+  ModelId model;
+  ModelState before = ModelState::kActive;
+  ModelState after = ModelState::kActive;
+  static constexpr std::string_view kName = "ModelStateChanged";
+  static constexpr std::string_view kMeaning = "A model was phased out, phased in, or deleted (and black-listed).";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"model", "the model", &ModelStateChanged::model},
+                      Field{"before", "state before", &ModelStateChanged::before},
+                      Field{"after", "state after", &ModelStateChanged::after}};
+  }
+};
+
+// ---------------------------------------------------------------------------------------------------- goals and plans
+
+struct DriveInjected {
+  GoalId goal;
+  std::string title;
+  Fact target;
+  static constexpr std::string_view kName = "DriveInjected";
+  static constexpr std::string_view kMeaning = "The agent is given something to bring about, until a deadline.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"goal", "number of the goal", &DriveInjected::goal},
+                      Field{"title", "what the scenario calls it", &DriveInjected::title},
+                      Field{"target", "what is wanted; interval up to the deadline", &DriveInjected::target}};
+  }
+};
+
+struct GoalSet {
+  GoalId goal;
+  GoalId super_goal;
+  ModelId model;
+  Fact target;
+  static constexpr std::string_view kName = "GoalSet";
+  static constexpr std::string_view kMeaning = "Backward chaining wants something because something else is wanted.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"goal", "number of the goal", &GoalSet::goal},
+                      Field{"super_goal", "the goal it serves", &GoalSet::super_goal},
+                      Field{"model", "the model that leads from it to the super goal; none inside a composite state",
+                            &GoalSet::model},
+                      Field{"target", "what is wanted; may hold variables not bound yet", &GoalSet::target}};
+  }
+};
+
+enum class GoalSkipReason { kAlreadyHolds, kLoop, kTooDeep, kNoModel, kBudget };
+template <>
+inline constexpr std::array<std::string_view, 5> kEnumNames<GoalSkipReason>{"already_holds", "loop", "too_deep",
+                                                                            "no_model", "budget"};
+
+struct GoalSkipped {
+  GoalId super_goal;
+  Fact target;
+  GoalSkipReason reason = GoalSkipReason::kNoModel;
+  static constexpr std::string_view kName = "GoalSkipped";
+  static constexpr std::string_view kMeaning = "Backward chaining did not pursue a sub-goal.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"super_goal", "the goal it would have served", &GoalSkipped::super_goal},
+                      Field{"target", "what would have been wanted", &GoalSkipped::target},
+                      Field{"reason", "why it was not pursued", &GoalSkipped::reason}};
+  }
+};
+
+enum class ComponentStatus {
+  kMatched,     // a fact in force, or one predicted in the plan, fits
+  kAchievable,  // nothing fits yet, but a model could bring it about: a sub-goal
+  kMissed,      // nothing fits and no model could change that
+};
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<ComponentStatus>{"matched", "achievable", "missed"};
+
+struct ComparedComponent {
+  std::int64_t index = 0;
+  Term pattern;
+  ComponentStatus status = ComponentStatus::kMissed;
+  FactId found;
+  Term counterpart;
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"index", "position in the compared composite state, from 0", &ComparedComponent::index},
+        Field{"pattern", "the component's payload under the goal's bindings", &ComparedComponent::pattern},
+        Field{"status", "matched, achievable, or missed", &ComparedComponent::status},
+        Field{"found", "the fact that matched; none if missed", &ComparedComponent::found},
+        Field{"counterpart", "what the situation has there: the matching payload, or the nearest one, or nil",
+              &ComparedComponent::counterpart}};
+  }
+};
+
+enum class AnalogyVerdict {
+  kAccepted,           // hypothesised (or an equal one known already): result ids are given
+  kNotRequired,        // would do, but a better plan reached the goal
+  kFullMatch,          // nothing unfamiliar, so nothing to generalise
+  kTooFewMatched,      // fewer matched components than the parameter asks for
+  kNotFamiliar,        // psi not above the threshold
+  kNothingObserved,    // nothing is known of an object of the goal
+  kFreeVariable,       // what remains does not bind a variable the requirement passes on
+  kBlackListed,        // the same hypothesis failed before
+  kNoPlan,             // no plan through it reaches the goal
+};
+template <>
+inline constexpr std::array<std::string_view, 9> kEnumNames<AnalogyVerdict>{
+    "accepted",         "not_required",  "full_match",   "too_few_matched", "not_familiar",
+    "nothing_observed", "free_variable", "black_listed", "no_plan"};
+
+struct AnalogyCompared {
+  GoalId goal;
+  ModelId requirement;
+  CompositeStateId source;
+  ModelId causal_model;
+  Term bindings;
+  std::vector<ComparedComponent> components;
+  std::int64_t matched = 0;
+  std::int64_t achievable = 0;
+  std::int64_t total = 0;
+  double psi = 0;
+  double jaccard = 0;
+  double confidence = 0;
+  AnalogyVerdict verdict = AnalogyVerdict::kNoPlan;
+  CompositeStateId result_state;
+  ModelId result_requirement;
+  static constexpr std::string_view kName = "AnalogyCompared";
+  static constexpr std::string_view kMeaning = "A known condition was compared with the situation for a goal.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"goal", "the goal it would serve", &AnalogyCompared::goal},
+        Field{"requirement", "the requirement model compared", &AnalogyCompared::requirement},
+        Field{"source", "its composite state", &AnalogyCompared::source},
+        Field{"causal_model", "the causal model it allows", &AnalogyCompared::causal_model},
+        Field{"bindings", "the composite state's instance under the goal's bindings", &AnalogyCompared::bindings},
+        Field{"components", "component by component", &AnalogyCompared::components},
+        Field{"matched", "components matched", &AnalogyCompared::matched},
+        Field{"achievable", "components not matched that a model could bring about", &AnalogyCompared::achievable},
+        Field{"total", "components in all", &AnalogyCompared::total},
+        Field{"psi", "familiarity: (matched + achievable) / total (paper, equation 2)", &AnalogyCompared::psi},
+        Field{"jaccard", "kept / (total + unmatched counterparts), the other reading of equation 2",
+              &AnalogyCompared::jaccard},
+        Field{"confidence", "psi x confidence of the requirement model (paper, equation 4)", &AnalogyCompared::confidence},
+        Field{"verdict", "accepted, or why not", &AnalogyCompared::verdict},
+        Field{"result_state", "the generalised composite state, if accepted", &AnalogyCompared::result_state},
+        Field{"result_requirement", "the new requirement model, if accepted", &AnalogyCompared::result_requirement}};
+  }
+};
+
+struct PlanStep {
+  Term command;
+  ModelId causal_model;
+  ModelId requirement;
+  static constexpr auto Fields() {
+    return std::tuple{Field{"command", "the command", &PlanStep::command},
+                      Field{"causal_model", "the causal model that says what it brings", &PlanStep::causal_model},
+                      Field{"requirement", "the requirement model that allows it; none if it needs none",
+                            &PlanStep::requirement}};
+  }
+};
+
+struct SimulationStarted {
+  SimulationId simulation;
+  GoalId goal;
+  std::vector<PlanStep> steps;
+  double score = 0;
+  static constexpr std::string_view kName = "SimulationStarted";
+  static constexpr std::string_view kMeaning = "A plan is tried in the head: forward chaining from the present.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"simulation", "number of the simulation", &SimulationStarted::simulation},
+        Field{"goal", "the goal the plan is for", &SimulationStarted::goal},
+        Field{"steps", "the commands in order", &SimulationStarted::steps},
+        Field{"score", "product of the confidences of all models along the plan", &SimulationStarted::score}};
+  }
+};
+
+enum class SimulationOutcome { kReached, kNotEnabled, kNotReached };
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<SimulationOutcome>{"reached", "not_enabled", "not_reached"};
+
+struct SimulationEnded {
+  SimulationId simulation;
+  SimulationOutcome outcome = SimulationOutcome::kNotReached;
+  static constexpr std::string_view kName = "SimulationEnded";
+  static constexpr std::string_view kMeaning = "The tried plan reached its goal, or did not.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"simulation", "the simulation", &SimulationEnded::simulation},
+                      Field{"outcome", "reached; a step was not enabled; or the end was another", &SimulationEnded::outcome}};
+  }
+};
+
+struct PlanCommitted {
+  GoalId goal;
+  SimulationId chosen;
+  std::vector<SimulationId> candidates;
+  double score = 0;
+  static constexpr std::string_view kName = "PlanCommitted";
+  static constexpr std::string_view kMeaning = "The best tried plan was chosen; its first command will be issued.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"goal", "the goal", &PlanCommitted::goal},
+                      Field{"chosen", "the simulation of the chosen plan", &PlanCommitted::chosen},
+                      Field{"candidates", "all simulations of this decision, the chosen one included",
+                            &PlanCommitted::candidates},
+                      Field{"score", "product of confidences of the chosen plan", &PlanCommitted::score}};
+  }
+};
+
+enum class Commander { kTeacher, kAgent };
+template <>
+inline constexpr std::array<std::string_view, 2> kEnumNames<Commander>{"teacher", "agent"};
+
+struct CommandIssued {
+  Term command;
+  Commander by = Commander::kAgent;
+  GoalId goal;
+  TimeInterval interval;
+  static constexpr std::string_view kName = "CommandIssued";
+  static constexpr std::string_view kMeaning = "A command was sent to the world.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"command", "the command as requested", &CommandIssued::command},
+                      Field{"by", "teacher or agent", &CommandIssued::by},
+                      Field{"goal", "the drive it serves; none for the teacher's", &CommandIssued::goal},
+                      Field{"interval", "when it is to be executed", &CommandIssued::interval}};
+  }
+};
+
+struct CommandRefused {
+  Term command;
+  std::string reason;
+  static constexpr std::string_view kName = "CommandRefused";
+  static constexpr std::string_view kMeaning = "The world executed a command not at all, or otherwise than asked.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"command", "the command as requested", &CommandRefused::command},
+                      Field{"reason", "the world's own words", &CommandRefused::reason}};
+  }
+};
+
+struct GoalAchieved {
+  GoalId goal;
+  FactId evidence;
+  static constexpr std::string_view kName = "GoalAchieved";
+  static constexpr std::string_view kMeaning = "What was wanted holds.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"goal", "the goal", &GoalAchieved::goal},
+                      Field{"evidence", "the fact that shows it", &GoalAchieved::evidence}};
+  }
+};
+
+struct GoalFailed {
+  GoalId goal;
+  static constexpr std::string_view kName = "GoalFailed";
+  static constexpr std::string_view kMeaning = "The deadline passed and what was wanted does not hold.";
+  static constexpr auto Fields() { return std::tuple{Field{"goal", "the goal", &GoalFailed::goal}}; }
+};
+
+struct EpisodeEnded {
+  std::int64_t frames = 0;
+  std::int64_t drives_reached = 0;
+  std::int64_t drives = 0;
+  static constexpr std::string_view kName = "EpisodeEnded";
+  static constexpr std::string_view kMeaning = "The episode is over; a file without this event is incomplete.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"frames", "sampling periods run", &EpisodeEnded::frames},
+                      Field{"drives_reached", "drives reached in time", &EpisodeEnded::drives_reached},
+                      Field{"drives", "drives given", &EpisodeEnded::drives}};
+  }
+};
+
+// The order is part of the schema (the kind number in files is the position here, from 0): add at the end.
+using EventBody =
+    std::variant<EpisodeStarted, SymbolDeclared, FrameStarted, WorldStateRecorded, FactObserved, CompositeStateCreated,
+                 ModelCreated, InductionStarted, CauseConsidered, IcstFound, ImdlPredicted, PredictionMade,
+                 PredictionSucceeded, PredictionFailed, EvidenceUpdated, ModelStateChanged, DriveInjected, GoalSet,
+                 GoalSkipped, AnalogyCompared, SimulationStarted, SimulationEnded, PlanCommitted, CommandIssued,
+                 CommandRefused, GoalAchieved, GoalFailed, EpisodeEnded>;
+
+inline constexpr std::size_t kEventKinds = std::variant_size_v<EventBody>;
+
+template <std::size_t I>
+using EventBodyAt = std::variant_alternative_t<I, EventBody>;
+
+// Calls visit.template operator()<Body>() for each kind, in order.
+template <class Visit>
+constexpr void ForEachKind(Visit&& visit) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (visit.template operator()<EventBodyAt<I>>(), ...);
+  }(std::make_index_sequence<kEventKinds>());
+}
+
+}  // namespace aerascope
