@@ -30,7 +30,7 @@ def own_cases(path):
             lines = (skipped.get("message") or skipped.text or "").strip().splitlines()
             if len(lines) > 1 and re.search(r":\d+$", lines[0]):
                 lines = lines[1:]
-            cases.append((name, "skipped", " ".join(line.strip() for line in lines)))
+            cases.append((name, "skipped", " ".join(line.strip() for line in lines) or "no reason given"))
         elif case.get("status") == "notrun":
             cases.append((name, "skipped", "the case is switched off in its source"))
         else:
@@ -59,7 +59,7 @@ def all_cases(folder):
             yield test, outcome, reason
             continue
         for name, case_outcome, case_reason in cases:
-            yield f"{test} {name}", case_outcome, case_reason or "no reason given"
+            yield f"{test} {name}", case_outcome, case_reason
         # A program may fail outside its cases: a leak, a crash at the end, a time limit.
         if outcome == "failed" and all(case[1] != "failed" for case in cases):
             yield f"{test} (the program itself)", "failed", ""
