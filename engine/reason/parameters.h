@@ -1,0 +1,50 @@
+// The numbers a Reasoner runs by: thresholds, limits, and the named instants inside a frame.
+//
+// Names follow OpenAERA where it has the parameter, so that a value can be carried over. The defaults are OpenAERA's;
+// what OpenAERA lacks says so. A scenario sets them in its [reasoner] table under these names (durations there in
+// milliseconds, with `_ms` at the end).
+#pragma once
+
+#include <string_view>
+
+#include "engine/base/time.h"
+
+namespace aerascope {
+
+// How goal-driven analogy judges a partial match. kPaper: confidence = familiarity * success rate of the original
+// requirement, over all bindings, without duplicates. kOpenaera: what OpenAERA's analogy branch does: constant
+// confidence 0.6, at least three matched components, the first binding only.
+enum class AnalogyMode { kPaper, kOpenaera };
+
+constexpr std::string_view ToText(AnalogyMode mode) {
+  return mode == AnalogyMode::kPaper ? "paper" : "openaera";
+}
+
+struct ReasonerParameters {
+  // Analogy (not parameters in OpenAERA, where three components are built in and familiarity is not computed).
+  AnalogyMode analogy_mode = AnalogyMode::kPaper;
+  int analogy_min_matched = 2;      // components that must match, at least; openaera mode: 3
+  double analogy_min_psi = 0.5;     // familiarity must be above this, strictly
+
+  // Rating of models (OpenAERA).
+  double mdl_inertia_sr_thr = 0.9;  // success rate from which a model can become strong
+  int mdl_inertia_cnt_thr = 6;      // number of tries from which a model can become strong
+  double primary_act_thr = 0.4;     // a model at or below this success rate is deleted, or phased out if strong
+  double secondary_act_thr = 0.3;   // a phased-out model above this is watched for recovery
+
+  // Induction (OpenAERA: 300 ms in frames of 100 ms).
+  int tpx_time_horizon_frames = 3;  // how far back the causes of a failed prediction are looked for
+
+  // Planning. OpenAERA limits it by wall-clock time instead; counts keep runs the same on every machine.
+  int max_plan_depth = 8;            // goals under goals
+  int max_simulation_nodes = 10000;  // simulated steps for one drive in one frame
+
+  // Instants after the start of a frame, the same for every sampling period (OpenAERA, semantics 7.3).
+  Duration goal_offset = Milliseconds(10);     // drives are set and backward chaining runs
+  Duration command_offset = Milliseconds(20);  // a command's own interval begins
+  Duration commit_offset = Milliseconds(60);   // the best plan's first command is issued
+
+  bool operator==(const ReasonerParameters&) const = default;
+};
+
+}  // namespace aerascope
