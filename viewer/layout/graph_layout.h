@@ -1,8 +1,9 @@
-// Positions for general graphs: chains, causes, goal trees. Graphviz as a library for graphs of a size it lays out well
-// and quickly; a plain layered layout of our own, in linear time, for larger ones and where Graphviz is not to be had.
+// Positions for general graphs: chains, causes, goal trees. Graphviz as a library for graphs of a size it
+// lays out well and quickly; a plain layered layout of our own, in linear time, for larger ones and where
+// Graphviz is not to be had.
 //
-// Node sizes are given, fonts play no part, and equal input gives equal output. Any thread may call; Graphviz itself
-// is used by one at a time.
+// Node sizes are given, fonts play no part, and equal input gives equal output. Any thread may call; Graphviz
+// itself is used by one at a time.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +33,8 @@ struct GraphToPlace {
 };
 
 struct PlacedLink {
-  std::size_t link = 0;       // position in GraphToPlace::links
-  std::vector<Point> curve;   // control points of joined cubic curves: 1 + 3n points
+  std::size_t link = 0;      // position in GraphToPlace::links
+  std::vector<Point> curve;  // control points of joined cubic curves: 1 + 3n points
 };
 
 struct PlacedGraph {
@@ -46,8 +47,8 @@ struct PlacedGraph {
 // Never fails: what Graphviz refuses goes to the layered layout.
 PlacedGraph PlaceGraph(const GraphToPlace& graph);
 
-// The layered layout: a node stands behind all that lead to it (links that close a circle are not counted), in order
-// of the input inside a layer.
+// The layered layout: a node stands behind all that lead to it (links that close a circle are not counted),
+// in order of the input inside a layer.
 PlacedGraph PlaceLayered(const GraphToPlace& graph);
 
 }  // namespace aerascope

@@ -1,13 +1,14 @@
 // TriadLayout: where each piece of knowledge stands in the drawn model graph.
 //
-// Three columns, CST | M_req | CM. One band a causal model, in order of creation; in it one row a requirement model
-// with the composite state it asks for; what was derived by analogy stands directly under its source. A band has two
-// forms, folded (a line a card) and open (a line a condition); both are laid out, so that a viewer opens a band by
-// moving the bands below it and nothing else.
+// Three columns, CST | M_req | CM. One band a causal model, in order of creation; in it one row a requirement
+// model with the composite state it asks for; what was derived by analogy stands directly under its source. A
+// band has two forms, folded (a line a card) and open (a line a condition); both are laid out, so that a
+// viewer opens a band by moving the bands below it and nothing else.
 //
-// Always true: (1) positions follow from the knowledge base given and nothing else; give the one at the end of the
-// episode, and no card moves while time does; (2) coordinates are whole numbers and no text is measured; (3) cards of
-// one form never overlap; (4) the work is linear in the number of models and composite states, apart from look-ups.
+// Always true: (1) positions follow from the knowledge base given and nothing else; give the one at the end
+// of the episode, and no card moves while time does; (2) coordinates are whole numbers and no text is
+// measured; (3) cards of one form never overlap; (4) the work is linear in the number of models and composite
+// states, apart from look-ups.
 #pragma once
 
 #include <cstddef>
@@ -62,8 +63,8 @@ struct BandForm {
   int height = 0;
   std::vector<Rect> cards;      // as TriadBand::cards
   std::vector<EdgePath> edges;  // as TriadBand::edges
-  // Per edge: the free line over a derived card, for "by analogy: 3 of 4 conditions hold for s1"; empty elsewhere and
-  // in the folded form.
+  // Per edge: the free line over a derived card, for "by analogy: 3 of 4 conditions hold for s1"; empty
+  // elsewhere and in the folded form.
   std::vector<Rect> notes;
 };
 
@@ -84,13 +85,13 @@ struct TriadBand {
 };
 
 struct TriadOptions {
-  int left_margin = 34;        // room for the links of analogies
+  int left_margin = 34;  // room for the links of analogies
   int state_width = 238;
   int ring_column_width = 140;
   int model_width = 204;
-  int max_lines = 12;          // conditions shown in an open card; beyond, the last line says how many more
-  // Text lines of composite states that differ from their number of components (struck ones of an analogy, nested
-  // states written out). Missing: one a component.
+  int max_lines = 12;  // conditions shown in an open card; beyond, the last line says how many more
+  // Text lines of composite states that differ from their number of components (struck ones of an analogy,
+  // nested states written out). Missing: one a component.
   std::map<CompositeStateId, int> lines;
 };
 
