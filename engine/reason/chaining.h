@@ -1,0 +1,49 @@
+// Forward chaining without side effects: which composite states hold in a situation, what the requirement models say
+// about that, and what models predict from a fact (semantics 3.1 to 3.3). The live reasoner and its simulations use
+// the same three functions.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/kb/knowledge_base.h"
+#include "engine/reason/situation.h"
+
+namespace aerascope {
+
+// One way the components of a composite state hold together.
+struct JointMatch {
+  Bindings bindings;                  // interval variables included
+  std::vector<std::size_t> facts;     // positions in the situation, in order of the components
+  TimeInterval interval;              // common to all
+  double confidence = 1;              // the least of the components'
+};
+
+// All ways the components hold together under `bindings`, in a fixed order, each set of facts once; at most `limit`.
+std::vector<JointMatch> JointMatches(const CompositeState& state, const Situation& situation, const Bindings& bindings,
+                                     std::size_t limit = 4096);
+
+// Adds the instances of one composite state, or of all (nested ones before those that contain them), to the situation.
+// Returns the positions added. An instance that is there already is not added again.
+std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* situation);
+std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation);
+
+// What the requirement model says in this situation. Deleted models say nothing; phased out ones neither.
+std::vector<Requirement> RequirementsFrom(const ModelRecord& requirement, const Situation& situation);
+
+// One firing of a model on a fact.
+struct Firing {
+  ModelId model;
+  Bindings bindings;
+  Fact target;                          // confidence = input x model; 0 if vetoed
+  Term instance;                        // (imdl ...) payload
+  std::vector<std::size_t> requirements;  // positions in situation.requirements(): the positive ones it used
+  bool vetoed = false;                  // a strong requirement stands against it: predicted silently
+};
+
+// What the model predicts from the fact, given the requirements in the situation (semantics 3.3). One firing for each
+// distinct target.
+std::vector<Firing> Fire(const ModelRecord& model, const KnowledgeBase& knowledge, const Fact& input,
+                         const Situation& situation);
+
+}  // namespace aerascope

@@ -1,0 +1,321 @@
+#include "engine/reason/reasoner.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/reason/chaining.h"
+#include "engine/reason/induction.h"
+#include "engine/reason/planner.h"
+#include "engine/reason/rating.h"
+
+namespace aerascope {
+namespace {
+
+// Seed numbers -> episode numbers, in one term or definition.
+class Renumbering {
+ public:
+  void Add(CompositeStateId from, CompositeStateId to) { states_[from] = to; }
+  void Add(ModelId from, ModelId to) { models_[from] = to; }
+
+  Term operator()(const Term& term) const {
+    return Rewritten(term, [&](const Term& part) -> std::optional<Term> {
+      if (part.is(TermKind::kCompositeState)) {
+        const auto it = states_.find(part.composite_state());
+        return it == states_.end() ? part : Term::Reference(it->second);
+      }
+      if (part.is(TermKind::kModel)) {
+        const auto it = models_.find(part.model());
+        return it == models_.end() ? part : Term::Reference(it->second);
+      }
+      return std::nullopt;
+    });
+  }
+  FactPattern operator()(const FactPattern& pattern) const {
+    return {pattern.positive, (*this)(pattern.payload), pattern.after, pattern.before};
+  }
+
+ private:
+  std::map<CompositeStateId, CompositeStateId> states_;
+  std::map<ModelId, ModelId> models_;
+};
+
+}  // namespace
+
+Reasoner::Reasoner(const ReasonerParameters& parameters, Duration sampling_period, EventSink* sink)
+    : parameters_(parameters),
+      period_(sampling_period),
+      journal_(sink),
+      previous_({Time{-sampling_period.us}, Time{0}}),
+      situation_({Time{-sampling_period.us}, Time{0}}) {}
+
+void Reasoner::LoadSeed(const std::vector<Term>& symbols, const std::vector<Fact>& properties,
+                        const std::vector<CompositeState>& states, const std::vector<Model>& models) {
+  const Time start{0};
+  for (const Term& symbol : symbols) journal_.Write(start, SymbolDeclared{symbol});
+  for (const Fact& fact : properties) {
+    SituationFact property;
+    property.id = journal_.NewId<FactId>();
+    property.fact = fact;
+    property.permanent = true;
+    property.event = journal_.Write(start, FactObserved{property.id, fact, FactSource::kProperty});
+    properties_.push_back(std::move(property));
+  }
+  Renumbering renumbered;
+  for (const CompositeState& given : states) {
+    CompositeState state = given;
+    state.id = journal_.NewId<CompositeStateId>();
+    renumbered.Add(given.id, state.id);
+    for (FactPattern& component : state.components) component = renumbered(component);
+    journal_.Write(start, CompositeStateCreated{std::move(state), Origin::kSeed, {}});
+  }
+  for (const Model& given : models) {
+    Model model = given;
+    model.id = journal_.NewId<ModelId>();
+    renumbered.Add(given.id, model.id);
+    model.lhs = renumbered(model.lhs);
+    model.rhs = renumbered(model.rhs);
+    journal_.Write(start, ModelCreated{std::move(model), {}, false, Origin::kSeed, {}});
+  }
+}
+
+std::size_t Reasoner::AddFact(Fact fact, FactSource source, Time at, const std::vector<EventId>& causes) {
+  SituationFact entry;
+  entry.id = journal_.NewId<FactId>();
+  entry.fact = std::move(fact);
+  entry.event = journal_.Write(at, FactObserved{entry.id, entry.fact, source}, causes);
+  return situation_.Add(std::move(entry));
+}
+
+void Reasoner::BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed) {
+  journal_.StartFrame(frame);
+  const TimeInterval interval{Time{frame * period_.us}, Time{(frame + 1) * period_.us}};
+  previous_ = std::move(situation_);
+  situation_ = Situation(interval);
+  journal_.Write(interval.after, FrameStarted{interval});
+  for (const SituationFact& property : properties_) situation_.Add(property);
+  for (const Fact& fact : sensed) AddFact(fact, FactSource::kSensor, interval.after, {});
+  CheckPredictions();
+  CheckDrive();
+  LearnFromChanges();
+  Chain(interval.after);
+}
+
+void Reasoner::CheckPredictions() {
+  expected_.clear();
+  const TimeInterval frame = FrameInterval();
+  const std::map<PredictionId, PredictionRecord> open = knowledge().predictions();
+  for (const auto& [id, prediction] : open) {
+    const Fact& target = prediction.target;
+    if (target.interval.after >= frame.before) continue;
+    expected_.push_back(target);
+    const bool silent = target.confidence == 0;
+    const SituationFact* evidence = nullptr;
+    EvidenceVerdict verdict = EvidenceVerdict::kNone;
+    Bindings none;
+    const Term any_value = IsValue(target.payload)
+                               ? MakeValue(target.payload[0], target.payload[1], Term::Wildcard())
+                               : target.payload;
+    for (const std::size_t i : situation_.Candidates(any_value, none)) {
+      verdict = EvidenceFor(situation_[i].fact, target);
+      if (verdict == EvidenceVerdict::kNone) continue;
+      evidence = &situation_[i];
+      break;
+    }
+    // Facts of this frame are in; what is due by its start and has not come will not come.
+    const bool overdue = target.interval.before <= frame.after + kTimeTolerance;
+    if (verdict == EvidenceVerdict::kNone && !overdue) continue;
+    const bool success = verdict == EvidenceVerdict::kPositive ||
+                         (verdict == EvidenceVerdict::kNone && !target.positive);
+    std::vector<ModelId> rated{prediction.model};
+    rated.insert(rated.end(), prediction.requirements.begin(), prediction.requirements.end());
+    if (silent && !success) rated.clear();  // a silent prediction counts only when it was right
+    Conclude(id, target, prediction.event, rated, success, evidence);
+  }
+}
+
+void Reasoner::Conclude(PredictionId prediction, const Fact& target, EventId made, const std::vector<ModelId>& rated,
+                        bool success, const SituationFact* evidence) {
+  const Time now = FrameInterval().after;
+  const FactId shown_by = evidence ? evidence->id : FactId{};
+  const std::vector<EventId> causes{made, evidence ? evidence->event : EventId{}};
+  const EventId outcome = success ? journal_.Write(now, PredictionSucceeded{prediction, shown_by}, causes)
+                                  : journal_.Write(now, PredictionFailed{prediction, shown_by}, causes);
+  if (!success && !evidence) {
+    Fact absent = target;
+    absent.positive = !target.positive;
+    absent.confidence = 1;
+    AddFact(std::move(absent), FactSource::kAbsence, now, {outcome});
+  }
+  for (const ModelId id : rated) {
+    const ModelRecord* record = knowledge().Find(id);
+    if (!record) continue;
+    // A veto is right when what it warned of failed.
+    RateModel(id, KindOf(record->model) == ModelKind::kStrongRequirement ? !success : success, outcome);
+  }
+}
+
+void Reasoner::RateModel(ModelId id, bool success, EventId outcome) {
+  const ModelRecord* record = knowledge().Find(id);
+  if (!record || record->state == ModelState::kDeleted) return;
+  const Rating before{record->evidence, record->strong, record->state};
+  const Rating after = Rate(before, success, parameters_);
+  if (after == before) return;
+  const Time now = FrameInterval().after;
+  const EventId updated = journal_.Write(
+      now, EvidenceUpdated{id, success, before.evidence, after.evidence, before.strong, after.strong}, {outcome});
+  if (after.state != before.state) {
+    journal_.Write(now, ModelStateChanged{id, before.state, after.state}, {updated});
+  }
+}
+
+void Reasoner::CheckDrive() {
+  if (!drive_) return;
+  const Time now = FrameInterval().after;
+  const std::size_t evidence = situation_.FindMatch(drive_->goal, true, {});
+  if (evidence != Situation::npos) {
+    journal_.Write(now, GoalAchieved{drive_->id, situation_[evidence].id}, {drive_->event, situation_[evidence].event});
+    last_drive_reached_ = true;
+    drive_.reset();
+  } else if (drive_->interval.before <= now) {
+    journal_.Write(now, GoalFailed{drive_->id}, {drive_->event});
+    last_drive_reached_ = false;
+    drive_.reset();
+  }
+}
+
+void Reasoner::LearnFromChanges() {
+  for (std::size_t i = 0; i < previous_.facts().size(); ++i) {
+    const SituationFact& premise = previous_[i];
+    if (premise.permanent || !premise.fact.positive || !IsValue(premise.fact.payload)) continue;
+    const Term any_value = MakeValue(premise.fact.payload[0], premise.fact.payload[1], Term::Wildcard());
+    const bool predicted = std::any_of(expected_.begin(), expected_.end(), [&](const Fact& target) {
+      Bindings none;
+      return target.positive && Match(any_value, target.payload, none);
+    });
+    if (predicted) continue;
+    for (const std::size_t c : situation_.Candidates(any_value, {})) {
+      const SituationFact& consequent = situation_[c];
+      if (consequent.permanent || !consequent.fact.positive ||
+          !ContradictsValue(consequent.fact.payload, premise.fact.payload)) {
+        continue;
+      }
+      InduceFromChange({i, consequent}, previous_, FrameInterval().after, &journal_);
+      break;
+    }
+  }
+}
+
+void Reasoner::WriteInstances(const std::vector<std::size_t>& positions, Time at) {
+  for (const std::size_t position : positions) {
+    const SituationFact& instance = situation_[position];
+    std::vector<EventId> causes;
+    for (const std::size_t component : instance.components) causes.push_back(situation_[component].event);
+    const FactId id = journal_.NewId<FactId>();
+    const EventId event = journal_.Write(at, IcstFound{id, instance.fact}, causes);
+    situation_.SetEvent(position, id, event);
+  }
+}
+
+void Reasoner::OfferToRequirement(ModelId id, Time at) {
+  const ModelRecord* record = knowledge().Find(id);
+  if (!record) return;
+  for (Requirement& requirement : RequirementsFrom(*record, situation_)) {
+    const EventId from = situation_[requirement.from].event;
+    requirement.event = journal_.Write(at, ImdlPredicted{journal_.NewId<FactId>(), id, requirement.imdl},
+                                       {from, record->event});
+    situation_.Add(std::move(requirement));
+  }
+}
+
+void Reasoner::Chain(Time at) {
+  WriteInstances(AddInstances(knowledge(), &situation_), at);
+  // Strong requirements before weak ones (semantics 7.4).
+  for (const ModelKind kind : {ModelKind::kStrongRequirement, ModelKind::kWeakRequirement}) {
+    for (const auto& [id, record] : knowledge().models()) {
+      if (KindOf(record.model) == kind) OfferToRequirement(id, at);
+    }
+  }
+  const std::size_t count = situation_.facts().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!situation_[i].permanent) FireOn(i, at);
+  }
+}
+
+void Reasoner::FireOn(std::size_t fact, Time at) {
+  std::vector<ModelId> ids;
+  for (const auto& [id, record] : knowledge().models()) ids.push_back(id);
+  for (const ModelId id : ids) {
+    const ModelRecord& record = *knowledge().Find(id);
+    for (const Firing& firing : Fire(record, knowledge(), situation_[fact].fact, situation_)) {
+      if (firing.target.interval.before <= at) continue;
+      std::vector<EventId> causes{situation_[fact].event};
+      std::vector<ModelId> requirements;
+      for (const std::size_t i : firing.requirements) {
+        causes.push_back(situation_.requirements()[i].event);
+        requirements.push_back(situation_.requirements()[i].requirement);
+      }
+      causes.push_back(record.event);
+      const EventId event = journal_.Write(
+          at, PredictionMade{journal_.NewId<PredictionId>(), id, requirements, situation_[fact].id, firing.target}, causes);
+      if (firing.vetoed || !firing.instance.ground()) continue;
+      // The instance itself is a fact, for reuse models and as a possible cause.
+      SituationFact instance;
+      instance.id = situation_[fact].id;
+      instance.fact = {true, firing.instance, situation_[fact].fact.interval, firing.target.confidence};
+      instance.event = event;
+      const std::size_t added = situation_.Add(std::move(instance));
+      if (!IsImdl(situation_[fact].fact.payload)) FireOn(added, at);
+    }
+  }
+}
+
+bool Reasoner::SetDrive(const std::string& title, const Term& goal, Time deadline) {
+  const Time now = At(parameters_.goal_offset);
+  OpenDrive drive;
+  drive.id = journal_.NewId<GoalId>();
+  drive.goal = goal;
+  drive.interval = {now, deadline};
+  drive.event = journal_.Write(now, DriveInjected{drive.id, title, Fact{true, goal, drive.interval, 1}});
+  drive_ = drive;
+  const std::size_t evidence = situation_.FindMatch(goal, true, {});
+  if (evidence == Situation::npos) return false;
+  journal_.Write(now, GoalAchieved{drive.id, situation_[evidence].id}, {drive.event, situation_[evidence].event});
+  last_drive_reached_ = true;
+  drive_.reset();
+  return true;
+}
+
+std::optional<Reasoner::Wish> Reasoner::Decide() {
+  if (!drive_) return std::nullopt;
+  PlanningTask task;
+  task.drive = drive_->id;
+  task.drive_event = drive_->event;
+  task.goal = drive_->goal;
+  task.interval = drive_->interval;
+  task.now = At(parameters_.goal_offset);
+  task.commit_time = At(parameters_.commit_offset);
+  const OfferKnowledge offer = [&](CompositeStateId state, ModelId requirement) {
+    const CompositeStateRecord* record = knowledge().Find(state);
+    if (record) WriteInstances(AddInstances(record->state, &situation_), task.now);
+    OfferToRequirement(requirement, task.now);
+  };
+  const auto decision = PlanFor(task, parameters_, period_, situation_, offer, &journal_);
+  if (!decision) return std::nullopt;
+  return Wish{decision->command, drive_->id, decision->event};
+}
+
+EventId Reasoner::CommandIssued(const Term& command, Commander by, GoalId drive, EventId cause) {
+  const Time at = by == Commander::kTeacher ? At(parameters_.goal_offset) : At(parameters_.commit_offset);
+  return journal_.Write(at,
+                        aerascope::CommandIssued{command, by, drive,
+                                                 {At(parameters_.command_offset), FrameInterval().before}},
+                        {cause});
+}
+
+void Reasoner::Executed(const Term& command, EventId issued) {
+  const Time at = At(parameters_.commit_offset);
+  const Fact fact{true, command, {At(parameters_.command_offset), FrameInterval().before}, 1};
+  FireOn(AddFact(fact, FactSource::kExecuted, at, {issued}), at);
+}
+
+}  // namespace aerascope

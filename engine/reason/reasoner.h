@@ -1,0 +1,87 @@
+// The Reasoner is the agent's mind: it is told what is sensed each frame, keeps its knowledge by learning from change
+// and from the outcomes of its predictions, and says which command it wants for a drive.
+//
+// A frame goes (semantics 7.3): BeginFrame(facts) - outcomes of predictions and drives, evidence, induction, forward
+// chaining; then SetDrive/Decide for goals and plans; then CommandIssued and Executed for what really happened.
+// It does no input or output: everything it says are events to the sink. Not thread-safe.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/event/event.h"
+#include "engine/reason/journal.h"
+#include "engine/reason/parameters.h"
+#include "engine/reason/situation.h"
+
+namespace aerascope {
+
+class Reasoner {
+ public:
+  // The sink outlives the reasoner. `sampling_period` is the length of a frame.
+  Reasoner(const ReasonerParameters& parameters, Duration sampling_period, EventSink* sink);
+
+  const KnowledgeBase& knowledge() const { return journal_.knowledge(); }
+  Journal& journal() { return journal_; }
+
+  // Hand-given knowledge, before the first frame. Composite states and models come with numbers of their own and are
+  // renumbered; a definition refers only to definitions before it.
+  void LoadSeed(const std::vector<Term>& symbols, const std::vector<Fact>& properties,
+                const std::vector<CompositeState>& states, const std::vector<Model>& models);
+
+  void BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed);
+
+  // Gives a drive; it is open until reached or until `deadline`. True if it is reached already. One drive at a time.
+  bool SetDrive(const std::string& title, const Term& goal, Time deadline);
+  bool drive_open() const { return drive_.has_value(); }
+  bool last_drive_reached() const { return last_drive_reached_; }
+
+  struct Wish {
+    Term command;
+    GoalId drive;
+    EventId event;
+  };
+  // The command wanted in this frame for the open drive, if a plan was found.
+  std::optional<Wish> Decide();
+
+  // A command goes to the world, from a teacher or the agent's own wish. Returns the event.
+  EventId CommandIssued(const Term& command, Commander by, GoalId drive, EventId cause);
+  // A command was really executed in this frame; models fire on it.
+  void Executed(const Term& command, EventId issued);
+
+ private:
+  TimeInterval FrameInterval() const { return situation_.interval(); }
+  Time At(Duration offset) const { return situation_.interval().after + offset; }
+
+  void CheckPredictions();
+  void Conclude(PredictionId prediction, const Fact& target, EventId made, const std::vector<ModelId>& rated, bool success,
+                const SituationFact* evidence);
+  void RateModel(ModelId id, bool success, EventId outcome);
+  void CheckDrive();
+  void LearnFromChanges();
+  void Chain(Time at);
+  void OfferToRequirement(ModelId id, Time at);
+  void WriteInstances(const std::vector<std::size_t>& positions, Time at);
+  void FireOn(std::size_t fact, Time at);
+  std::size_t AddFact(Fact fact, FactSource source, Time at, const std::vector<EventId>& causes);
+
+  struct OpenDrive {
+    GoalId id;
+    EventId event;
+    Term goal;
+    TimeInterval interval;
+  };
+
+  ReasonerParameters parameters_;
+  Duration period_;
+  Journal journal_;
+  std::vector<SituationFact> properties_;
+  Situation previous_;
+  Situation situation_;
+  std::vector<Fact> expected_;  // targets of predictions for this frame, come true or not
+  std::optional<OpenDrive> drive_;
+  bool last_drive_reached_ = false;
+};
+
+}  // namespace aerascope
