@@ -28,7 +28,6 @@ std::string PrefixOf(FactId) { return "fact_"; }
 std::string PrefixOf(GoalId) { return "goal_"; }
 std::string PrefixOf(PredictionId) { return "pred_"; }
 std::string PrefixOf(SimulationId) { return "sim_"; }
-std::string PrefixOf(EventId) { return "#"; }
 
 template <class Body>
 std::string FieldsText(const Body& body, Style style);
