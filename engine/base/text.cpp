@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 
 namespace aerascope {
 namespace {
@@ -55,7 +56,9 @@ bool Disturbing(std::uint32_t code_point) {
 }  // namespace
 
 double RoundNumber(double value) {
-  if (!std::isfinite(value) || value == 0) return value == 0 ? 0 : value;
+  if (std::isnan(value)) return std::numeric_limits<double>::quiet_NaN();  // one NaN, so that equal means equal bits
+  if (std::isinf(value)) return value;
+  if (value == 0) return 0;  // never -0
   const std::string text = Significant(value, kTermDigits);
   double rounded = value;
   std::from_chars(text.data(), text.data() + text.size(), rounded);

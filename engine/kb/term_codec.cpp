@@ -1,12 +1,16 @@
 #include "engine/kb/term_codec.h"
 
 #include <charconv>
+#include <limits>
 #include <optional>
 
 #include "engine/base/text.h"
 
 namespace aerascope {
 namespace {
+
+// Sums and differences of two times that were read do not overflow.
+constexpr std::int64_t kLargestTimeUs = std::numeric_limits<std::int64_t>::max() / 2;
 
 bool IsPlainByte(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
@@ -218,13 +222,14 @@ class Decoder {
     if ((c == 't' || c == 'd') && next_is_digit) {
       ++at_;
       const auto us = ReadInteger();
-      if (!us) return Fail("microseconds");
+      if (!us || *us > kLargestTimeUs || *us < -kLargestTimeUs) return Fail("microseconds");
       return c == 't' ? Term::Instant(Time{*us}) : Term::Span(Duration{*us});
     }
     return ReadNumberOrName();
   }
   std::optional<Term> ReadNumberOrName() {
     const std::size_t start = at_;
+    const char c = text_[at_];
     while (at_ < text_.size() && IsPlainByte(text_[at_])) ++at_;
     const std::string_view word = text_.substr(start, at_ - start);
     if (word.empty()) {
@@ -235,10 +240,14 @@ class Decoder {
       return Fail("a term");
     }
     if (word == "nil") return Term::Nil();
+    // Only these begin a number; from_chars alone would also take "Infinity" or "NaN", which are names.
+    const bool number = (c >= '0' && c <= '9') || c == '-' || word == "inf" || word == "nan";
+    if (!number) return Term::Ontology(std::string(word));
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error == std::errc() && end == word.data() + word.size()) return Term::Number(value);
-    return Term::Ontology(std::string(word));
+    at_ = start;
+    return Fail("a number");
   }
 
   std::string_view text_;
