@@ -261,9 +261,10 @@ bool MujocoWorld::Travel(const Reference& target, double duration_s, double gap_
   return false;
 }
 
+// Backs off to where the tool met the thing, and a little more, so that it no longer presses.
 void MujocoWorld::Yield() {
   Reference here = reference_;
-  here.tool.position_m[2] = data_->site_xpos[3 * binding_.tool_site + 2];
+  here.tool.position_m[2] = data_->site_xpos[3 * binding_.tool_site + 2] + config_.motion.contact_stop_m;
   Travel(here, kYieldSeconds, 1, false);
 }
 

@@ -68,7 +68,7 @@ struct MotionConfig {
   double grasp_height_m = 0.02;   // of the tool above the table when the fingers close
   std::array<double, 2> workspace_min_m{-1, -1};  // moves are clipped to this rectangle
   std::array<double, 2> workspace_max_m{1, 1};
-  double max_tool_speed_m_per_s = 2;   // a command that would have to be faster is refused
+  double max_tool_speed_m_per_s = 1.5; // a command that would have to be faster is refused
   double contact_stop_m = 0.0015;  // going down ends when the tool hangs back by more than this
   double settle_s = 0.5;          // physics before the episode starts
 };
