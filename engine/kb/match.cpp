@@ -89,6 +89,14 @@ Term Substitute(const Term& pattern, const Bindings& bindings) {
   });
 }
 
+Term Closed(const Term& term) {
+  if (term.ground()) return term;
+  return Rewritten(term, [](const Term& part) -> std::optional<Term> {
+    if (part.is(TermKind::kVariable)) return Term::Wildcard();
+    return std::nullopt;
+  });
+}
+
 namespace {
 
 bool IsVector(const Term& term) { return term.IsStruct("vec2") || term.IsStruct("vec3"); }

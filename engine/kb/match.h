@@ -38,6 +38,9 @@ bool Match(const Term& pattern, const Term& object, Bindings& bindings);
 // The pattern with its bound variables replaced. Unbound ones stay variables.
 Term Substitute(const Term& pattern, const Bindings& bindings);
 
+// The term with its variables made wildcards: variables that no one has bound mean nothing outside their model.
+Term Closed(const Term& term);
+
 // The value of a guard expression: a ground term, or (op a b) with op one of + - * / over numbers, vec2/vec3 (element by
 // element, or scaled by a number), instants and durations. Nothing if a variable is unbound or the kinds do not fit.
 std::optional<Term> Evaluate(const Term& expression, const Bindings& bindings);

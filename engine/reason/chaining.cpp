@@ -126,7 +126,7 @@ std::vector<Requirement> RequirementsFrom(const ModelRecord& requirement, const 
     const Term before = Substitute(model.rhs.before, bindings);
     if (!after.is(TermKind::kTime) || !before.is(TermKind::kTime)) continue;
     entry.imdl = {model.rhs.positive,
-                  Substitute(model.rhs.payload, bindings),
+                  Closed(Substitute(model.rhs.payload, bindings)),
                   {after.time(), before.time()},
                   from.fact.confidence * requirement.evidence.rate()};
     found.push_back(std::move(entry));

@@ -16,14 +16,6 @@ constexpr std::size_t kMaxPlansPerGoal = 16;
 constexpr std::size_t kMaxArrangements = 256;
 constexpr std::size_t kMaxSimulations = 8;
 
-// Variables that no one has bound are nobody's business outside their model: shown as wildcards.
-Term Closed(const Term& term) {
-  return Rewritten(term, [](const Term& part) -> std::optional<Term> {
-    if (part.is(TermKind::kVariable)) return Term::Wildcard();
-    return std::nullopt;
-  });
-}
-
 struct Step {
   Term command;
   ModelId causal_model;
@@ -127,13 +119,42 @@ class Planner {
     return it == by_attribute_.end() ? none : it->second;
   }
 
+  // Could a causal model bring this about, through a condition that is at least familiar? A condition that asks for
+  // unchangeable things which do not hold (a sphere that should be a hand) is no way to anything.
   bool CanBringAboutPayload(const Term& payload) const {
     const Term open = Closed(payload);
     for (const ModelRecord* record : ModelsFor(payload)) {
+      const Model& model = record->model;
       Bindings bindings;
-      if (record->model.rhs.positive && Match(record->model.rhs.payload, open, bindings)) return true;
+      if (!model.rhs.positive || !Match(model.rhs.payload, open, bindings)) continue;
+      if (model.template_arguments.empty()) return true;
+      const Term imdl = Closed(InstancePayload(model, bindings));
+      for (const ModelId id : kb_.RequirementsOf(model.id)) {
+        const ModelRecord& requirement = *kb_.Find(id);
+        Bindings required;
+        if (requirement.state == ModelState::kActive && requirement.model.rhs.positive &&
+            Match(requirement.model.rhs.payload, imdl, required) &&
+            Conceivable(Substitute(requirement.model.lhs.payload, required)) > parameters_.analogy_min_psi) {
+          return true;
+        }
+      }
     }
     return false;
+  }
+
+  // The share of conditions that hold now or concern something a model can change.
+  double Conceivable(const Term& payload) const {
+    const CompositeStateRecord* record =
+        IsIcst(payload) ? kb_.Find(payload[0].composite_state()) : nullptr;
+    Bindings bindings;
+    if (!record || !BindInstance(record->state, Closed(payload), bindings)) return 0;
+    double conceivable = 0;
+    for (const FactPattern& component : record->state.components) {
+      const Term part = Substitute(component.payload, bindings);
+      const bool holds = situation_.FindMatch(component.payload, component.positive, bindings) != Situation::npos;
+      if (holds || (IsIcst(part) ? Conceivable(part) == 1 : !ModelsFor(part).empty())) conceivable += 1;
+    }
+    return conceivable / static_cast<double>(record->state.components.size());
   }
 
   // The goal node for this target under its super goal; written once, however often the search comes by.
