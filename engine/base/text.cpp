@@ -12,11 +12,20 @@ namespace {
 
 constexpr int kTermDigits = 9;
 
-std::string Significant(double value, int digits) {
-  char buffer[64];
-  const auto [end, error] =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits);
-  return error == std::errc() ? std::string(buffer, end) : std::string("0");
+// Zero, one and what is not finite need no digits generator.
+bool AppendSpecialNumber(double value, std::string* text) {
+  if (value == 0) {
+    *text += '0';
+  } else if (value == 1) {
+    *text += '1';
+  } else if (std::isnan(value)) {
+    *text += "nan";
+  } else if (std::isinf(value)) {
+    *text += value < 0 ? "-inf" : "inf";
+  } else {
+    return false;
+  }
+  return true;
 }
 
 std::string Hex(std::uint32_t value) {
@@ -59,17 +68,36 @@ double RoundNumber(double value) {
   if (std::isnan(value)) return std::numeric_limits<double>::quiet_NaN();  // one NaN, so that equal means equal bits
   if (std::isinf(value)) return value;
   if (value == 0) return 0;  // never -0
-  const std::string text = Significant(value, kTermDigits);
+  const std::string text = FormatNumber(value, kTermDigits);
   double rounded = value;
   std::from_chars(text.data(), text.data() + text.size(), rounded);
   return rounded;
 }
 
 std::string FormatNumber(double value, int digits) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
-  if (value == 0) return "0";
-  return Significant(value, digits);
+  std::string text;
+  AppendNumber(value, digits, &text);
+  return text;
+}
+
+void AppendNumber(double value, int digits, std::string* text) {
+  if (AppendSpecialNumber(value, text)) return;
+  char buffer[64];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits);
+  text->append(buffer, error == std::errc() ? static_cast<std::size_t>(end - buffer) : 0);
+}
+
+void AppendExactNumber(double value, std::string* text) {
+  if (AppendSpecialNumber(value, text)) return;
+  char buffer[64];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  text->append(buffer, error == std::errc() ? static_cast<std::size_t>(end - buffer) : 0);
+}
+
+void AppendInteger(std::int64_t value, std::string* text) {
+  char buffer[24];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  text->append(buffer, error == std::errc() ? static_cast<std::size_t>(end - buffer) : 0);
 }
 
 std::string FormatConfidence(double value) {

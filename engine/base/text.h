@@ -1,6 +1,7 @@
 // Numbers and words as text, in one fixed format each, chosen here and nowhere else.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,12 @@ double RoundNumber(double value);
 
 // At most `digits` significant digits, no trailing zeros, never "-0"; "nan", "inf", "-inf" spelled so.
 std::string FormatNumber(double value, int digits = 9);
+
+// The same into an existing text.
+void AppendNumber(double value, int digits, std::string* text);
+// The shortest digits that are read back as exactly this number; "nan", "inf", "-inf" spelled so, "-0" is "0".
+void AppendExactNumber(double value, std::string* text);
+void AppendInteger(std::int64_t value, std::string* text);
 
 // A share or confidence for people: at most three decimals, "0.75", "1", "0.333".
 std::string FormatConfidence(double value);

@@ -8,9 +8,6 @@
 namespace aerascope {
 namespace {
 
-// Writes any field value as text; `Style` decides between exact (storage, digest) and readable.
-enum class Style { kExact, kReadable };
-
 template <class T>
 struct IsVector : std::false_type {};
 template <class T>
@@ -20,69 +17,110 @@ struct IsId : std::false_type {};
 template <class Tag>
 struct IsId<Id<Tag>> : std::true_type {};
 
-std::string TermText(const Term& term, Style style) { return style == Style::kExact ? Encode(term) : ToText(term); }
+std::string_view PrefixOf(ModelId) { return "mdl_"; }
+std::string_view PrefixOf(CompositeStateId) { return "cst_"; }
+std::string_view PrefixOf(FactId) { return "fact_"; }
+std::string_view PrefixOf(GoalId) { return "goal_"; }
+std::string_view PrefixOf(PredictionId) { return "pred_"; }
+std::string_view PrefixOf(SimulationId) { return "sim_"; }
 
-std::string PrefixOf(ModelId) { return "mdl_"; }
-std::string PrefixOf(CompositeStateId) { return "cst_"; }
-std::string PrefixOf(FactId) { return "fact_"; }
-std::string PrefixOf(GoalId) { return "goal_"; }
-std::string PrefixOf(PredictionId) { return "pred_"; }
-std::string PrefixOf(SimulationId) { return "sim_"; }
+// How single values are written: exactly, for the digest (each event of a run passes here, so into one buffer) ...
+struct Exact {
+  static constexpr std::string_view kBetweenFields = "\x1f";
 
-template <class Body>
-std::string FieldsText(const Body& body, Style style);
+  static void Write(double value, std::string* out) { AppendExactNumber(value, out); }
+  static void Write(std::int64_t value, std::string* out) { AppendInteger(value, out); }
+  static void Write(const std::string& value, std::string* out) { AppendEncodedString(value, out); }
+  static void Write(const Term& value, std::string* out) { AppendEncoded(value, out); }
+  static void Write(Time value, std::string* out) { AppendInteger(value.us, out); }
+  static void Write(const TimeInterval& value, std::string* out) {
+    AppendInteger(value.after.us, out);
+    *out += "..";
+    AppendInteger(value.before.us, out);
+  }
+  static void Write(const Fact& value, std::string* out) {
+    *out += value.positive ? "fact " : "fact-not ";
+    AppendEncoded(value.payload, out);
+    *out += ' ';
+    Write(value.interval, out);
+    *out += '@';
+    AppendExactNumber(value.confidence, out);
+  }
+  static void Write(const Evidence& value, std::string* out) {
+    AppendExactNumber(value.positive, out);
+    *out += '/';
+    AppendExactNumber(value.total, out);
+  }
+};
 
-template <class T>
-std::string ValueText(const T& value, Style style) {
+// ... or readably.
+struct Readable {
+  static constexpr std::string_view kBetweenFields = " ";
+
+  static void Write(double value, std::string* out) { *out += FormatNumber(value, 6); }
+  static void Write(std::int64_t value, std::string* out) { AppendInteger(value, out); }
+  static void Write(const std::string& value, std::string* out) { *out += "\"" + Printable(value) + "\""; }
+  static void Write(const Term& value, std::string* out) { *out += ToText(value); }
+  static void Write(Time value, std::string* out) { *out += ToText(value); }
+  static void Write(const TimeInterval& value, std::string* out) { *out += ToText(value); }
+  static void Write(const Fact& value, std::string* out) { *out += ToText(value); }
+  static void Write(const Evidence& value, std::string* out) {
+    *out += FormatConfidence(value.rate()) + " (" + FormatNumber(value.positive, 6) + "/" +
+            FormatNumber(value.total, 6) + ")";
+  }
+};
+
+template <class Style, class Body>
+void WriteFields(const Body& body, std::string* out);
+
+template <class Style, class T>
+void WriteValue(const T& value, std::string* out) {
   if constexpr (IsId<T>::value) {
-    return value.valid() ? PrefixOf(value) + std::to_string(value.value) : "-";
+    if (!value.valid()) {
+      *out += '-';
+    } else {
+      *out += PrefixOf(value);
+      AppendInteger(value.value, out);
+    }
   } else if constexpr (std::is_same_v<T, bool>) {
-    return value ? "yes" : "no";
+    *out += value ? "yes" : "no";
   } else if constexpr (std::is_enum_v<T>) {
-    return std::string(EnumName(value));
-  } else if constexpr (std::is_floating_point_v<T>) {
-    return style == Style::kExact ? FormatNumber(value, 17) : FormatNumber(value, 6);
-  } else if constexpr (std::is_integral_v<T>) {
-    return std::to_string(value);
-  } else if constexpr (std::is_same_v<T, std::string>) {
-    return style == Style::kExact ? Encode(Term::String(value)) : "\"" + Printable(value) + "\"";
-  } else if constexpr (std::is_same_v<T, Term>) {
-    return TermText(value, style);
-  } else if constexpr (std::is_same_v<T, Time>) {
-    return style == Style::kExact ? std::to_string(value.us) : ToText(value);
-  } else if constexpr (std::is_same_v<T, TimeInterval>) {
-    return style == Style::kExact ? std::to_string(value.after.us) + ".." + std::to_string(value.before.us)
-                                  : ToText(value);
-  } else if constexpr (std::is_same_v<T, Fact>) {
-    // ToTerm rounds the confidence to 9 digits; the exact value follows it.
-    return style == Style::kExact ? Encode(ToTerm(value)) + "@" + FormatNumber(value.confidence, 17) : ToText(value);
-  } else if constexpr (std::is_same_v<T, Evidence>) {
-    return style == Style::kExact ? FormatNumber(value.positive, 17) + "/" + FormatNumber(value.total, 17)
-                                  : FormatConfidence(value.rate()) + " (" + FormatNumber(value.positive, 6) + "/" +
-                                        FormatNumber(value.total, 6) + ")";
+    *out += EnumName(value);
   } else if constexpr (std::is_same_v<T, CompositeState> || std::is_same_v<T, Model>) {
-    return ValueText(value.id, style) + " " + TermText(DefinitionToTerm(value), style);
+    WriteValue<Style>(value.id, out);
+    *out += ' ';
+    Style::Write(DefinitionToTerm(value), out);
   } else if constexpr (IsVector<T>::value) {
-    std::string text = "[";
-    for (std::size_t i = 0; i < value.size(); ++i) text += (i > 0 ? ", " : "") + ValueText(value[i], style);
-    return text + "]";
+    *out += '[';
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (i > 0) *out += ", ";
+      WriteValue<Style>(value[i], out);
+    }
+    *out += ']';
+  } else if constexpr (requires { T::Fields(); }) {
+    *out += '{';
+    WriteFields<Style>(value, out);
+    *out += '}';
   } else {
-    return "{" + FieldsText(value, style) + "}";
+    Style::Write(value, out);
   }
 }
 
-template <class Body>
-std::string FieldsText(const Body& body, Style style) {
-  std::string text;
+template <class Style, class Body>
+void WriteFields(const Body& body, std::string* out) {
+  bool first = true;
   ForEachField<Body>([&](const auto& field) {
-    if (!text.empty()) text += style == Style::kExact ? "\x1f" : " ";
-    text += std::string(field.name) + "=" + ValueText(body.*(field.member), style);
+    if (!first) *out += Style::kBetweenFields;
+    first = false;
+    *out += field.name;
+    *out += '=';
+    WriteValue<Style>(body.*(field.member), out);
   });
-  return text;
 }
 
-std::string BodyText(const EventBody& body, Style style) {
-  return std::visit([&](const auto& b) { return FieldsText(b, style); }, body);
+template <class Style>
+void WriteBody(const EventBody& body, std::string* out) {
+  std::visit([&](const auto& b) { WriteFields<Style>(b, out); }, body);
 }
 
 }  // namespace
@@ -116,8 +154,9 @@ bool MayBeUncaused(const EventBody& body) {
 std::string ToText(const Event& event) {
   std::string text = ToText(event.time) + " #" + std::to_string(event.id.value) + " " + std::string(KindName(event.body));
   if (event.simulation.valid()) text += " in sim_" + std::to_string(event.simulation.value);
-  const std::string fields = BodyText(event.body, Style::kReadable);
-  if (!fields.empty()) text += " " + fields;
+  text += ' ';
+  WriteBody<Readable>(event.body, &text);
+  if (text.back() == ' ') text.pop_back();  // a kind without fields
   if (!event.causes.empty()) {
     text += " because";
     for (const EventId cause : event.causes) text += " #" + std::to_string(cause.value);
@@ -126,12 +165,21 @@ std::string ToText(const Event& event) {
 }
 
 std::string EncodeForDigest(const Event& event) {
-  std::string bytes = std::to_string(event.id.value) + "\x1f" + std::to_string(event.time.us) + "\x1f" +
-                      std::to_string(event.frame) + "\x1f" + std::to_string(event.simulation.value) + "\x1f";
-  for (const EventId cause : event.causes) bytes += std::to_string(cause.value) + ",";
-  bytes += "\x1f";
+  std::string bytes;
+  bytes.reserve(256);
+  for (const std::int64_t number : {event.id.value, event.time.us, event.frame, event.simulation.value}) {
+    AppendInteger(number, &bytes);
+    bytes += '\x1f';
+  }
+  for (const EventId cause : event.causes) {
+    AppendInteger(cause.value, &bytes);
+    bytes += ',';
+  }
+  bytes += '\x1f';
   bytes += KindName(event.body);
-  bytes += "\x1f" + BodyText(event.body, Style::kExact) + "\x1e";
+  bytes += '\x1f';
+  WriteBody<Exact>(event.body, &bytes);
+  bytes += '\x1e';
   return bytes;
 }
 

@@ -76,9 +76,15 @@ void Append(const Term& term, std::string* out) {
       AppendName(term.name(), out);
       return;
     case TermKind::kOntology: AppendName(term.name(), out); return;
-    case TermKind::kNumber: *out += FormatNumber(term.number()); return;
-    case TermKind::kTime: *out += "t" + std::to_string(term.time().us); return;
-    case TermKind::kDuration: *out += "d" + std::to_string(term.duration().us); return;
+    case TermKind::kNumber: AppendNumber(term.number(), 9, out); return;
+    case TermKind::kTime:
+      *out += 't';
+      AppendInteger(term.time().us, out);
+      return;
+    case TermKind::kDuration:
+      *out += 'd';
+      AppendInteger(term.duration().us, out);
+      return;
     case TermKind::kString: AppendQuoted(term.name(), '"', out); return;
     case TermKind::kBool: *out += term.boolean() ? "#t" : "#f"; return;
     case TermKind::kVariable: *out += "$" + std::to_string(term.variable()); return;
@@ -262,6 +268,10 @@ std::string Encode(const Term& term) {
   Append(term, &text);
   return text;
 }
+
+void AppendEncoded(const Term& term, std::string* out) { Append(term, out); }
+
+void AppendEncodedString(std::string_view text, std::string* out) { AppendQuoted(text, '"', out); }
 
 Result<Term> DecodeTerm(std::string_view text) { return Decoder(text).Read(); }
 

@@ -16,6 +16,10 @@
 namespace aerascope {
 
 std::string Encode(const Term& term);
+// The same into an existing text.
+void AppendEncoded(const Term& term, std::string* out);
+// As Encode(Term::String(text)).
+void AppendEncodedString(std::string_view text, std::string* out);
 
 // Reads exactly what Encode writes; an error names the byte offset.
 Result<Term> DecodeTerm(std::string_view text);
