@@ -35,6 +35,8 @@ std::vector<std::string> CanonicalNames(const KnowledgeBase& knowledge, const Mo
 std::vector<Condition> ConditionsOf(const KnowledgeBase& knowledge, const CompositeState& state);
 std::vector<Condition> ConditionsOf(const KnowledgeBase& knowledge, const CompositeState& state,
                                     const std::vector<std::string>& names);
+// With canonical names and in canonical order: equal for equal content.
+std::vector<Condition> CanonicalConditions(const KnowledgeBase& knowledge, const CompositeStateRecord& record);
 // For a state made by analogy: the lines of its source in order, those it dropped marked as pruned; its own variable
 // names. For any other state the same as ConditionsOf. Empty if there is no such state.
 std::vector<Condition> ConditionsWithPruned(const KnowledgeBase& knowledge, CompositeStateId id);

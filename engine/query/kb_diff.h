@@ -17,7 +17,7 @@ namespace aerascope {
 
 // One side of a difference: everything that a reader may want to show, as text.
 struct KbDiffSide {
-  std::string id;                  // of the first item with this content
+  std::string id;                  // of the (first) item with this content
   std::size_t copies = 1;          // items with this content
   std::vector<std::string> lines;  // conditions, or left and right side
   Evidence evidence;

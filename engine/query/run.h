@@ -5,12 +5,14 @@
 // confidences and states do, so ask KnowledgeBaseAt().
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -38,6 +40,7 @@ struct RunFrame {
 
 class Run {
  public:
+  // Event ids are 1, 2, 3 ...; from the first one that is not, events are left out and the run is incomplete.
   static Run FromEvents(EpisodeFile file);
 
   const EpisodeHeader& header() const { return file_.header; }
@@ -100,6 +103,7 @@ class Run {
   std::size_t PositionOf(EventId id) const;  // events().size() if there is none
   KnowledgeBase KnowledgeBaseAfterEvents(std::size_t count) const;
   void IndexEvents();
+  void IndexCreations();
   void IndexEffects();
   void IndexFrames();
   void FoldKnowledge();
@@ -112,7 +116,9 @@ class Run {
   std::vector<std::vector<EventId>> by_kind_;
   std::vector<std::size_t> effects_begin_;  // per event, where its effects begin in effects_; one more at the end
   std::vector<EventId> effects_;
-  std::map<ObjectId, EventId> creations_;
+  // Per kind of id, the numbers in use with the event that created each, ascending.
+  std::array<std::vector<std::pair<std::int64_t, EventId>>, std::variant_size_v<ObjectId>> creations_;
+  std::vector<Time> latest_;                // per event, the latest time up to it
   std::vector<Checkpoint> checkpoints_;
   KnowledgeBase final_knowledge_;
 };

@@ -1,0 +1,345 @@
+// Events and frames in words.
+#include <algorithm>
+#include <set>
+
+#include "engine/base/text.h"
+#include "engine/query/describe.h"
+#include "engine/query/words.h"
+
+namespace aerascope {
+namespace {
+
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+
+std::string_view Words(GoalSkipReason reason) {
+  switch (reason) {
+    case GoalSkipReason::kAlreadyHolds: return "it holds already";
+    case GoalSkipReason::kLoop: return "it is wanted already, further up";
+    case GoalSkipReason::kTooDeep: return "the chain is too long";
+    case GoalSkipReason::kNoModel: return "no model leads to it";
+    case GoalSkipReason::kBudget: return "the budget for planning is used up";
+  }
+  return {};
+}
+
+std::string_view Words(CauseVerdict verdict) {
+  switch (verdict) {
+    case CauseVerdict::kBuilt: return "a model was made of it";
+    case CauseVerdict::kNoSharedValue: return "nothing in common with what changed";
+    case CauseVerdict::kTooLate: return "not before what it should explain";
+    case CauseVerdict::kSimultaneous: return "a condition, not a cause";
+    case CauseVerdict::kNoGuardForm: return "no formula leads from it to what was seen";
+    case CauseVerdict::kNoCompositeState: return "too few conditions could be put together";
+    case CauseVerdict::kFreeVariable: return "what was seen holds something that neither cause nor condition gives";
+    case CauseVerdict::kBlackListed: return "the same model failed before";
+    case CauseVerdict::kDuplicate: return "the same model is known already";
+  }
+  return {};
+}
+
+std::string_view Words(AnalogyVerdict verdict) {
+  switch (verdict) {
+    case AnalogyVerdict::kAccepted: return "accepted";
+    case AnalogyVerdict::kNotRequired: return "not required, a better plan is known";
+    case AnalogyVerdict::kFullMatch: return "nothing unfamiliar to generalise";
+    case AnalogyVerdict::kTooFewMatched: return "too few";
+    case AnalogyVerdict::kNotFamiliar: return "not familiar enough";
+    case AnalogyVerdict::kNothingObserved: return "nothing is known of what the goal is about";
+    case AnalogyVerdict::kFreeVariable: return "what remains leaves something undetermined";
+    case AnalogyVerdict::kBlackListed: return "the same idea failed before";
+    case AnalogyVerdict::kNoPlan: return "no plan through it reaches the goal";
+  }
+  return {};
+}
+
+std::string_view Words(InductionKind kind) {
+  switch (kind) {
+    case InductionKind::kChange: return "Not predicted";
+    case InductionKind::kPredictionFailure: return "Predicted otherwise";
+    case InductionKind::kGoalSuccess: return "Reached unexpectedly";
+  }
+  return {};
+}
+
+std::string Plural(std::int64_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+class Teller {
+ public:
+  explicit Teller(const Run& run) : run_(run), knowledge_(run.final_knowledge()) {}
+
+  std::string Tell(const Event& event) const {
+    const std::string sentence = std::visit([&](const auto& body) { return Of(body); }, event.body);
+    return event.simulation.valid() ? "In " + IdText(event.simulation) + ": " + sentence : sentence;
+  }
+
+  std::string TargetOf(GoalId goal) const {
+    const EventId creation = run_.CreationOf(goal);
+    if (const auto* drive = run_.FindBody<DriveInjected>(creation)) return Text(drive->target);
+    if (const auto* set = run_.FindBody<GoalSet>(creation)) return Text(set->target);
+    return IdText(goal);
+  }
+
+  // The drive at the top of a goal's chain, by title: "hold s1".
+  bool IsDrive(GoalId goal) const { return run_.FindBody<DriveInjected>(run_.CreationOf(goal)) != nullptr; }
+
+  std::string Of(const EvidenceUpdated& e) const {
+    const double before = e.before.rate();
+    const double after = e.after.rate();
+    const std::string_view change = after > before ? " rises to " : after < before ? " falls to " : " stays at ";
+    std::string text = IdText(e.model) + std::string(change) + FormatConfidence(after);
+    if (e.strong_after && !e.strong_before) text += " and counts as confirmed";
+    return text + ".";
+  }
+
+ private:
+  std::string Text(const Fact& fact) const { return FactText(knowledge_, fact); }
+  std::string Text(const Term& payload) const { return PayloadText(knowledge_, payload); }
+  std::string FactOf(FactId id) const {
+    const Fact* fact = run_.FindFact(id);
+    return fact ? Text(*fact) : IdText(id);
+  }
+  std::string Titled(ModelId id) const { return TitleOf(knowledge_, id) + " (" + IdText(id) + ")"; }
+  // A causal model by what it says, any other by its title.
+  std::string ModelPhrase(ModelId id) const {
+    const ModelRecord* record = knowledge_.Find(id);
+    if (!record || KindOf(record->model) != ModelKind::kCausal) return Titled(id);
+    std::string phrase = ExplanationOf(knowledge_, id);
+    if (!phrase.empty()) phrase.pop_back();
+    return phrase + " (" + IdText(id) + ")";
+  }
+  std::string PredictionTarget(PredictionId id) const {
+    const auto* made = run_.FindBody<PredictionMade>(run_.CreationOf(id));
+    return made ? Text(made->target) : IdText(id);
+  }
+
+  std::string Of(const EpisodeStarted& e) const {
+    std::string text = "The episode \"" + Printable(e.scenario) + "\" begins";
+    if (!e.world.empty()) text += ", in a world of kind " + Printable(e.world);
+    return text + ".";
+  }
+  std::string Of(const SymbolDeclared& e) const {
+    return (e.symbol.is(TermKind::kEntity) ? "Named: the thing " : "Named: the word ") + ValueText(e.symbol) + ".";
+  }
+  std::string Of(const FrameStarted& e) const { return "A frame begins, from " + SecondsText(e.interval.after) + "."; }
+  std::string Of(const WorldStateRecorded&) const { return "The state of the world is recorded."; }
+  std::string Of(const FactObserved& e) const {
+    switch (e.source) {
+      case FactSource::kSensor:
+      case FactSource::kProperty: return "Seen: " + Text(e.fact) + ".";
+      case FactSource::kExecuted: return "Done: " + Text(e.fact) + ".";
+      case FactSource::kAbsence: return "Concluded: " + Text(e.fact) + ".";
+    }
+    return {};
+  }
+  std::string Of(const CompositeStateCreated& e) const {
+    const std::string id = IdText(e.state.id);
+    if (e.origin == Origin::kAnalogy) {
+      std::vector<std::string> dropped;
+      for (const Condition& condition : ConditionsWithPruned(knowledge_, e.state.id)) {
+        if (condition.pruned) dropped.push_back("`" + condition.text + "`");
+      }
+      std::string text = "Generalised: " + id + " from " + IdText(e.derived_from);
+      if (!dropped.empty()) text += ", without " + InWords(dropped);
+      return text + ".";
+    }
+    return (e.origin == Origin::kSeed ? "Given: " : "Learned: ") + id + ", " + TitleOf(knowledge_, e.state.id) + ".";
+  }
+  std::string Of(const ModelCreated& e) const {
+    const std::string sure = ", sure at " + FormatConfidence(e.evidence.rate()) + ".";
+    switch (e.origin) {
+      case Origin::kSeed: return "Given: " + ModelPhrase(e.model.id) + ".";
+      case Origin::kAnalogy: return "By analogy: " + ModelPhrase(e.model.id) + sure;
+      case Origin::kInduction:
+      case Origin::kPredictionFailure:
+      case Origin::kGoalSuccess: return "Learned: " + ModelPhrase(e.model.id) + sure;
+    }
+    return {};
+  }
+  std::string Of(const InductionStarted& e) const {
+    return std::string(Words(e.induction)) + ": " + FactOf(e.consequent) + ". A cause is looked for.";
+  }
+  std::string Of(const CauseConsidered& e) const {
+    if (e.verdict == CauseVerdict::kBuilt) return "The cause found: " + FactOf(e.fact_id) + ".";
+    return "Not the cause: " + FactOf(e.fact_id) + " (" + std::string(Words(e.verdict)) + ").";
+  }
+  std::string Of(const IcstFound& e) const {
+    if (!IsIcst(e.fact.payload)) return "Holds: " + Text(e.fact) + ".";
+    const std::string bindings = BindingsText(BindingsOf(knowledge_, e.fact.payload));
+    std::string text = ValueText(e.fact.payload[0]);
+    text += e.fact.positive ? " holds" : " does not hold";
+    return bindings.empty() ? text + "." : text + ": " + bindings + ".";
+  }
+  std::string Of(const ImdlPredicted& e) const {
+    return IdText(e.requirement) + (e.fact.positive ? " expects that " : " denies that ") + Text(e.fact.payload) + ".";
+  }
+  std::string Of(const PredictionMade& e) const { return "Predicted: " + Text(e.target) + "."; }
+  std::string Of(const PredictionSucceeded& e) const { return "Came true: " + PredictionTarget(e.prediction) + "."; }
+  std::string Of(const PredictionFailed& e) const {
+    const std::string seen = e.evidence.valid() ? "; seen: " + FactOf(e.evidence) : "; nothing of it was seen in time";
+    return "Did not come true: " + PredictionTarget(e.prediction) + seen + ".";
+  }
+  std::string Of(const ModelStateChanged& e) const {
+    switch (e.after) {
+      case ModelState::kActive: return IdText(e.model) + " is in use again.";
+      case ModelState::kPhasedOut: return IdText(e.model) + " failed too often and only predicts silently now.";
+      case ModelState::kDeleted: return IdText(e.model) + " is given up, and not to be made again.";
+    }
+    return {};
+  }
+  std::string Of(const DriveInjected& e) const {
+    return "Drive: " + (e.title.empty() ? Text(e.target) : Printable(e.title)) + ".";
+  }
+  std::string Of(const GoalSet& e) const {
+    std::string text = "Goal: " + Text(e.target);
+    if (e.model.valid()) text += ", asked for by " + IdText(e.model);
+    return text + ".";
+  }
+  std::string Of(const GoalSkipped& e) const {
+    return "Not pursued: " + Text(e.target) + " (" + std::string(Words(e.reason)) + ").";
+  }
+  std::string Of(const AnalogyCompared& e) const;
+  std::string Of(const SimulationStarted& e) const {
+    std::vector<std::string> steps;
+    for (const PlanStep& step : e.steps) steps.push_back(Text(step.command));
+    return "Tried in the head (" + IdText(e.simulation) + "): " + (steps.empty() ? "nothing" : Join(steps, ", then ")) +
+           "; score " + FormatConfidence(e.score) + ".";
+  }
+  std::string Of(const SimulationEnded& e) const {
+    switch (e.outcome) {
+      case SimulationOutcome::kReached: return "The plan of " + IdText(e.simulation) + " reaches its goal.";
+      case SimulationOutcome::kNotEnabled: return "A step of " + IdText(e.simulation) + " would not work there.";
+      case SimulationOutcome::kNotReached: return "The plan of " + IdText(e.simulation) + " does not reach its goal.";
+    }
+    return {};
+  }
+  std::string Of(const PlanCommitted& e) const {
+    return "Chosen: the plan of " + IdText(e.chosen) + ", score " + FormatConfidence(e.score) + ", of " +
+           Plural(static_cast<std::int64_t>(e.candidates.size()), "plan", "plans") + ".";
+  }
+  std::string Of(const CommandIssued& e) const {
+    return (e.by == Commander::kTeacher ? "The teacher commands " : "The agent commands ") + Text(e.command) + ".";
+  }
+  std::string Of(const CommandRefused& e) const {
+    std::string text = "The world did not do " + Text(e.command) + " as asked";
+    if (!e.reason.empty()) text += ": " + Printable(e.reason);
+    return text.ends_with('.') ? text : text + ".";
+  }
+  std::string Of(const GoalAchieved& e) const { return "Goal reached: " + TargetOf(e.goal) + "."; }
+  std::string Of(const GoalFailed& e) const { return "Goal missed: " + TargetOf(e.goal) + "."; }
+  std::string Of(const EpisodeEnded& e) const {
+    return "The episode ends: " + std::to_string(e.drives_reached) + " of " +
+           Plural(e.drives, "goal", "goals") + " reached.";
+  }
+
+  const Run& run_;
+  const KnowledgeBase& knowledge_;
+};
+
+std::string Teller::Of(const AnalogyCompared& e) const {
+  const CompositeStateRecord* source = knowledge_.Find(e.source);
+  std::vector<std::size_t> missed;
+  std::set<std::string> things;  // what the missed conditions are about
+  for (const ComparedComponent& component : e.components) {
+    if (component.status != ComponentStatus::kMissed) continue;
+    missed.push_back(static_cast<std::size_t>(std::max<std::int64_t>(component.index, 0)));
+    Parts parts;
+    AddParts(knowledge_, {true, component.pattern, Term::Wildcard(), Term::Wildcard()}, 0, &parts);
+    for (const Part& part : parts.parts) {
+      if (IsValue(part.payload) && part.payload[0].is(TermKind::kEntity)) things.insert(ValueText(part.payload[0]));
+    }
+  }
+  std::string text = std::to_string(e.matched + e.achievable) + " of " +
+                     Plural(e.total, "condition", "conditions") + " of " + IdText(e.source) + " hold";
+  if (e.achievable > 0) text += " or can be brought about";
+  if (!things.empty()) text += " for " + InWords({things.begin(), things.end()});
+  if (e.verdict != AnalogyVerdict::kAccepted) {
+    return text + ": " + std::string(Words(e.verdict)) + " (" + FormatConfidence(e.psi) + ").";
+  }
+  const std::string dropped = source ? QuotedConditions(knowledge_, source->state, missed) : "";
+  if (!dropped.empty()) text += "; " + dropped + (missed.size() == 1 ? " is dropped" : " are dropped");
+  return text + ": " + IdText(e.result_requirement) + " starts at " + FormatConfidence(e.confidence) + ".";
+}
+
+// What a frame brought, most telling first.
+struct Moment {
+  std::vector<std::string> outcomes;  // drives reached and missed, predictions that failed, trouble
+  std::vector<std::string> evidence;  // of knowledge made by analogy
+  std::vector<std::string> learned;
+  std::vector<std::string> made_by_analogy;
+  std::vector<std::string> next;      // drives and commands
+};
+
+class Narrator {
+ public:
+  explicit Narrator(const Run& run) : run_(run), teller_(run) {}
+
+  std::string Tell(const RunFrame& frame) {
+    Moment moment;
+    for (std::int64_t id = frame.first.value; id <= frame.last.value; ++id) {
+      const Event& event = *run_.Find(EventId{id});
+      if (!event.simulation.valid()) Note(event, &moment);
+    }
+    // Two sentences at most; the next step only where there is room.
+    std::vector<std::string> sentences;
+    for (const auto* part : {&moment.outcomes, &moment.evidence, &moment.learned, &moment.made_by_analogy, &moment.next}) {
+      for (const std::string& sentence : *part) {
+        if (sentences.size() < 2) sentences.push_back(sentence);
+      }
+    }
+    return sentences.empty() ? "Nothing new." : Join(sentences, " ");
+  }
+
+ private:
+  void Note(const Event& event, Moment* moment) {
+    const KnowledgeBase& knowledge = run_.final_knowledge();
+    std::visit(Overloaded{
+                   [&](const GoalAchieved& e) {
+                     if (teller_.IsDrive(e.goal)) moment->outcomes.push_back(teller_.Tell(event));
+                   },
+                   [&](const GoalFailed& e) {
+                     if (teller_.IsDrive(e.goal)) moment->outcomes.push_back(teller_.Tell(event));
+                   },
+                   [&](const PredictionFailed&) { moment->outcomes.push_back(teller_.Tell(event)); },
+                   [&](const CommandRefused&) { moment->outcomes.push_back(teller_.Tell(event)); },
+                   [&](const ModelStateChanged&) { moment->outcomes.push_back(teller_.Tell(event)); },
+                   [&](const EvidenceUpdated& e) {
+                     const ModelRecord* record = knowledge.Find(e.model);
+                     if (!record || record->origin != Origin::kAnalogy) return;
+                     moment->evidence.push_back(
+                         (e.success ? "The analogy was right: " : "The analogy was wrong: ") + teller_.Of(e));
+                   },
+                   [&](const ModelCreated& e) {
+                     if (!IsRequirement(e.model) || e.origin == Origin::kSeed) return;
+                     const std::string title = TitleOf(knowledge, e.model.id);
+                     if (e.origin == Origin::kAnalogy) {
+                       moment->made_by_analogy.push_back("By analogy: " + title + ", sure at " +
+                                                         FormatConfidence(e.evidence.rate()) + ".");
+                     } else {
+                       moment->learned.push_back("Learned: " + title + ".");
+                     }
+                   },
+                   [&](const DriveInjected&) { moment->next.push_back(teller_.Tell(event)); },
+                   [&](const CommandIssued&) { moment->next.push_back(teller_.Tell(event)); },
+                   [&](const EpisodeEnded&) { moment->next.push_back(teller_.Tell(event)); },
+                   [](const auto&) {}},
+               event.body);
+  }
+
+  const Run& run_;
+  Teller teller_;
+};
+
+}  // namespace
+
+std::string SentenceOf(const Run& run, const Event& event) { return Teller(run).Tell(event); }
+
+std::string SentenceOfFrame(const Run& run, std::size_t frame) {
+  return frame < run.frames().size() ? Narrator(run).Tell(run.frames()[frame]) : "";
+}
+
+}  // namespace aerascope

@@ -1,0 +1,202 @@
+// Models in words: their sides, titles and explanations.
+#include <algorithm>
+#include <set>
+
+#include "engine/base/text.h"
+#include "engine/query/describe.h"
+#include "engine/query/parts.h"
+#include "engine/query/words.h"
+
+namespace aerascope {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::string SideText(const KnowledgeBase& knowledge, bool positive, const Term& payload, const Names& names) {
+  return (positive ? "" : "not ") + PayloadText(knowledge, payload, names);
+}
+
+std::string MakesText(const KnowledgeBase& knowledge, const Model& model, const Term& lhs, const Term& rhs,
+                      const Names& names) {
+  return SideText(knowledge, model.lhs.positive, lhs, names) + (model.rhs.positive ? " makes " : " ends ") +
+         PayloadText(knowledge, rhs, names);
+}
+
+// The names of a requirement model's variables, those of its composite state where it passes them on: so that its
+// explanation reads like the composite state's card.
+Names NamesLikeItsState(const KnowledgeBase& knowledge, const Model& requirement) {
+  Names names(VariableCount(requirement));
+  const CompositeStateRecord* state = knowledge.Find(RequiredState(requirement));
+  std::vector<Term> arguments;
+  if (state && ArgumentsOf(state->state, requirement.lhs.payload, &arguments)) {
+    const Names of_state = VariableNames(knowledge, state->state);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      if (!arguments[i].is(TermKind::kVariable)) continue;
+      std::string& name = names[static_cast<std::size_t>(arguments[i].variable())];
+      if (name.empty()) name = of_state[i];
+    }
+  }
+  const Names own = VariableNames(knowledge, requirement);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!names[i].empty()) continue;
+    names[i] = own[i];
+    while (std::count(names.begin(), names.end(), names[i]) > 1) names[i] += "'";
+  }
+  return names;
+}
+
+std::string Article(const std::string& phrase) {
+  return phrase.find_first_of("aeiouAEIOU") == 0 ? "an " + phrase : "a " + phrase;
+}
+
+// What is said of one thing by constants: kinds as nouns ("cube"), the rest as adjectives ("large").
+struct Description {
+  std::set<std::string> adjectives;
+  std::set<std::string> nouns;
+
+  bool empty() const { return adjectives.empty() && nouns.empty(); }
+  std::string Words() const {
+    std::vector<std::string> words(adjectives.begin(), adjectives.end());
+    words.insert(words.end(), nouns.begin(), nouns.end());
+    return Join(words, " ");
+  }
+  // "a large cube", "something large".
+  std::string Text() const { return nouns.empty() ? "something " + Words() : Article(Words()); }
+};
+
+Description DescriptionOf(const Term& thing, const Parts& parts) {
+  Description description;
+  for (const Part& part : parts.parts) {
+    if (!part.positive || !IsValue(part.payload) || !(part.payload[0] == thing)) continue;
+    if (!part.payload[2].is(TermKind::kOntology)) continue;
+    auto& words = NamesAKind(part.payload[1].name()) ? description.nouns : description.adjectives;
+    words.insert(Printable(part.payload[2].name()));
+  }
+  return description;
+}
+
+// "grab_type_2 something large": the command, and the things it is about that it does not name itself; the things it
+// does name only if there are no others.
+std::string ActionTitle(const KnowledgeBase& knowledge, const Model& requirement, const Model& target) {
+  std::vector<Term> arguments;
+  ArgumentsOf(target, requirement.rhs.payload, &arguments);
+  if (!IsCommand(target.lhs.payload)) return SideText(knowledge, target.lhs.positive, target.lhs.payload,
+                                                      VariableNames(knowledge, target));
+  const Term command = WithArguments(target.lhs.payload, arguments);
+  Parts parts;
+  AddParts(knowledge, requirement.lhs, 0, &parts);
+  std::vector<Term> named;
+  ForEachTerm(command[1], [&](const Term& term) {
+    if (term.is(TermKind::kVariable)) named.push_back(term);
+  });
+  const auto is_named = [&](const Term& thing) { return std::find(named.begin(), named.end(), thing) != named.end(); };
+
+  std::set<std::string> others;
+  std::set<std::string> by_name;
+  for (const Part& part : parts.parts) {
+    if (!IsValue(part.payload)) continue;
+    const Description description = DescriptionOf(part.payload[0], parts);
+    if (description.empty()) continue;
+    if (!is_named(part.payload[0])) others.insert(description.Text());
+    else by_name.insert("the " + description.Words());
+  }
+  const std::set<std::string>& phrases = others.empty() ? by_name : others;
+  std::string title = ValueText(target.lhs.payload[0]);
+  if (!phrases.empty()) title += " " + InWords({phrases.begin(), phrases.end()});
+  return title;
+}
+
+std::string Sentence(std::string text) { return text + "."; }
+
+}  // namespace
+
+std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl, const std::vector<std::string>& names) {
+  const ModelRecord* record = knowledge.Find(imdl[0].model());
+  if (!record) return ValueText(imdl, names);
+  const Model& model = record->model;
+  std::vector<Term> arguments;
+  ArgumentsOf(model, imdl, &arguments);
+  const Names own = VariableNames(knowledge, model);
+  // Open variables are numbered behind those of the instance, with the model's names for them.
+  std::size_t outer = names.size();
+  ForEachVariable(imdl, [&](int v) { outer = std::max(outer, static_cast<std::size_t>(v) + 1); });
+  Names all = names;
+  all.resize(outer);
+  std::vector<bool> open(arguments.size());
+  for (std::size_t v = 0; v < arguments.size(); ++v) {
+    open[v] = arguments[v].is(TermKind::kWildcard) || (names.empty() && arguments[v].is(TermKind::kVariable));
+    if (open[v]) arguments[v] = Term::Variable(static_cast<int>(outer + v));
+    std::string name = open[v] ? own[v] : "";
+    while (!name.empty() && std::find(all.begin(), all.end(), name) != all.end()) name += "'";
+    all.push_back(std::move(name));
+  }
+  // Where the instance leaves the effect open, its formula says more than a name.
+  bool effect_is_open = false;
+  ForEachVariable(model.rhs.payload, [&](int v) { effect_is_open = effect_is_open || open[static_cast<std::size_t>(v)]; });
+  const Term& rhs = model.rhs.payload;
+  return MakesText(knowledge, model, WithArguments(model.lhs.payload, arguments),
+                   WithArguments(effect_is_open ? RightSide(model) : rhs, arguments), all);
+}
+
+ModelLines LinesOf(const KnowledgeBase& knowledge, const Model& model) {
+  const Names names = IsRequirement(model) ? NamesLikeItsState(knowledge, model) : VariableNames(knowledge, model);
+  const Term rhs = RightSide(model);
+  ModelLines lines{SideText(knowledge, model.lhs.positive, model.lhs.payload, names),
+                   SideText(knowledge, model.rhs.positive, rhs, names),
+                   {}};
+  const auto note = [&](int v) {
+    const std::string& name = names[static_cast<std::size_t>(v)];
+    if (std::find(lines.variables.begin(), lines.variables.end(), name) == lines.variables.end()) {
+      lines.variables.push_back(name);
+    }
+  };
+  ForEachVariable(model.lhs.payload, note);
+  ForEachVariable(rhs, note);
+  return lines;
+}
+
+std::string TitleOf(const KnowledgeBase& knowledge, CompositeStateId id) {
+  const CompositeStateRecord* record = knowledge.Find(id);
+  return record ? OneLine(ConditionsOf(knowledge, record->state)) : IdText(id);
+}
+
+std::string TitleOf(const KnowledgeBase& knowledge, ModelId id) {
+  const ModelRecord* record = knowledge.Find(id);
+  if (!record) return IdText(id);
+  const Model& model = record->model;
+  const ModelRecord* target = knowledge.Find(TargetModel(model));
+  switch (KindOf(model)) {
+    case ModelKind::kWeakRequirement:
+    case ModelKind::kStrongRequirement: {
+      const std::string title = target ? ActionTitle(knowledge, model, target->model) : LinesOf(knowledge, model).rhs;
+      return model.rhs.positive ? title : "veto: " + title;
+    }
+    case ModelKind::kReuse: return LinesOf(knowledge, model).rhs;
+    case ModelKind::kDrive: return "drive: " + LinesOf(knowledge, model).rhs;
+    case ModelKind::kCausal: return LinesOf(knowledge, model).lhs;
+  }
+  return {};
+}
+
+std::string ExplanationOf(const KnowledgeBase& knowledge, ModelId id) {
+  const ModelRecord* record = knowledge.Find(id);
+  if (!record) return {};
+  const Model& model = record->model;
+  const ModelLines lines = LinesOf(knowledge, model);
+  switch (KindOf(model)) {
+    case ModelKind::kWeakRequirement: return Sentence("If " + lines.lhs + ", then " + lines.rhs);
+    case ModelKind::kStrongRequirement: {
+      const Names names = NamesLikeItsState(knowledge, model);
+      return Sentence("If " + lines.lhs + ", then it is not so that " + PayloadText(knowledge, model.rhs.payload, names));
+    }
+    case ModelKind::kReuse: return Sentence("Whenever " + lines.lhs + ", then also " + lines.rhs);
+    case ModelKind::kDrive: return Sentence("To satisfy " + lines.rhs + ", " + lines.lhs + " is wanted");
+    case ModelKind::kCausal: {
+      const Names names = VariableNames(knowledge, model);
+      return Sentence(MakesText(knowledge, model, model.lhs.payload, RightSide(model), names));
+    }
+  }
+  return {};
+}
+
+}  // namespace aerascope

@@ -1,0 +1,28 @@
+// Building blocks of sentences, shared by the descriptions of knowledge and of events; others use describe.h.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/kb/knowledge_base.h"
+#include "engine/query/parts.h"
+
+namespace aerascope {
+
+// "a", "a and b", "a, b and c".
+std::string InWords(const std::vector<std::string>& items);
+
+// A line without commas, fit for a sentence: "C size large at P".
+std::string ClauseOf(const Line& line, const std::vector<std::string>& names);
+// A payload as clauses; an instance of a composite state gives several.
+std::vector<std::string> ClausesOf(const KnowledgeBase& knowledge, const Term& payload,
+                                   const std::vector<std::string>& names);
+
+// An instance of a model: "grab_type_2 [h] makes h holding [s1]". What it leaves open keeps the model's own names.
+std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl, const std::vector<std::string>& names);
+
+// "`C shape cube`, `C size large`": conditions of a state by their components' positions.
+std::string QuotedConditions(const KnowledgeBase& knowledge, const CompositeState& state,
+                             const std::vector<std::size_t>& components);
+
+}  // namespace aerascope
