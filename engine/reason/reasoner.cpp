@@ -49,7 +49,7 @@ Reasoner::Reasoner(const ReasonerParameters& parameters, Duration sampling_perio
       situation_({Time{-sampling_period.us}, Time{0}}) {}
 
 void Reasoner::LoadSeed(const std::vector<Term>& symbols, const std::vector<Fact>& properties,
-                        const std::vector<CompositeState>& states, const std::vector<Model>& models) {
+                        const std::vector<CompositeState>& states, const std::vector<SeedModelDefinition>& models) {
   const Time start{0};
   for (const Term& symbol : symbols) journal_.Write(start, SymbolDeclared{symbol});
   for (const Fact& fact : properties) {
@@ -68,13 +68,13 @@ void Reasoner::LoadSeed(const std::vector<Term>& symbols, const std::vector<Fact
     for (FactPattern& component : state.components) component = renumbered(component);
     journal_.Write(start, CompositeStateCreated{std::move(state), Origin::kSeed, {}});
   }
-  for (const Model& given : models) {
-    Model model = given;
+  for (const SeedModelDefinition& given : models) {
+    Model model = given.model;
     model.id = journal_.NewId<ModelId>();
-    renumbered.Add(given.id, model.id);
+    renumbered.Add(given.model.id, model.id);
     model.lhs = renumbered(model.lhs);
     model.rhs = renumbered(model.rhs);
-    journal_.Write(start, ModelCreated{std::move(model), {}, false, Origin::kSeed, {}});
+    journal_.Write(start, ModelCreated{std::move(model), given.evidence, given.strong, Origin::kSeed, {}});
   }
 }
 

@@ -17,6 +17,13 @@
 
 namespace aerascope {
 
+// A model given by hand, with the evidence it starts with.
+struct SeedModelDefinition {
+  Model model;
+  Evidence evidence;
+  bool strong = false;
+};
+
 class Reasoner {
  public:
   // The sink outlives the reasoner. `sampling_period` is the length of a frame.
@@ -28,7 +35,7 @@ class Reasoner {
   // Hand-given knowledge, before the first frame. Composite states and models come with numbers of their own and are
   // renumbered; a definition refers only to definitions before it.
   void LoadSeed(const std::vector<Term>& symbols, const std::vector<Fact>& properties,
-                const std::vector<CompositeState>& states, const std::vector<Model>& models);
+                const std::vector<CompositeState>& states, const std::vector<SeedModelDefinition>& models);
 
   void BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed);
 
