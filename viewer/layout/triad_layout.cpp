@@ -129,7 +129,15 @@ class Layouter {
     band.model = model;
     const bool known = knowledge_.Find(model) != nullptr;
     band.cards.push_back({known ? CardKind::kModel : CardKind::kUnknownModel, {}, model, 0, 2});
-    const std::vector<Row> rows = InRowOrder(tree);
+    std::vector<Row> rows = InRowOrder(tree);
+    // A source stands before what is derived from it, so what is left out is never needed by what stays.
+    if (rows.size() > options_.max_rows) {
+      band.hidden_rows = rows.size() - options_.max_rows;
+      for (std::size_t row = options_.max_rows; row < rows.size(); ++row) {
+        left_out_.insert(RequiredState(knowledge_.Find(rows[row].requirement)->model));
+      }
+      rows.resize(options_.max_rows);
+    }
     band.rows = rows.size();
     std::map<ModelId, std::size_t> ring_of;
     std::map<ModelId, std::size_t> state_of;
@@ -190,6 +198,7 @@ class Layouter {
     const int model_y = band.rows <= kCentredRows ? (form.height - model_height) / 2 : 0;
     form.cards[0] = {layout_.models.x, model_y, layout_.models.width, model_height};
     PlaceEdges(band, depths, open, form);
+    if (band.hidden_rows > 0) form.height += kHiddenRowsHeight;
     return form;
   }
 
@@ -259,6 +268,10 @@ class Layouter {
     band.kind = BandKind::kDriveModels;
     for (const auto& [id, record] : knowledge_.models()) {
       if (KindOf(record.model) != ModelKind::kDrive || !trees_[id].roots.empty()) continue;
+      if (band.rows >= options_.max_rows) {
+        ++band.hidden_rows;
+        continue;
+      }
       band.cards.push_back({CardKind::kModel, {}, id, band.rows++, 2});
     }
     PlaceList(std::move(band), layout_.models);
@@ -267,10 +280,12 @@ class Layouter {
   void AddOtherStates() {
     TriadBand band;
     band.kind = BandKind::kOtherStates;
-    std::map<CompositeStateId, std::size_t> card_of;
     for (const auto& [id, record] : knowledge_.composite_states()) {
-      if (shown_.contains(id)) continue;
-      card_of[id] = band.cards.size();
+      if (shown_.contains(id) || left_out_.contains(id)) continue;
+      if (band.rows >= options_.max_rows) {
+        ++band.hidden_rows;
+        continue;
+      }
       band.cards.push_back({CardKind::kState, id, {}, band.rows++, LinesOf(id)});
     }
     PlaceList(std::move(band), layout_.states);
@@ -291,6 +306,7 @@ class Layouter {
         y += height + (open ? kRowGapOpen : kRowGapFolded);
       }
       form.height = y - (open ? kRowGapOpen : kRowGapFolded);
+      if (band.hidden_rows > 0) form.height += kHiddenRowsHeight;
     }
     layout_.bands.push_back(std::move(band));
   }
@@ -299,7 +315,8 @@ class Layouter {
   const TriadOptions& options_;
   TriadLayout layout_;
   std::map<ModelId, RowTree> trees_;  // by the model of the band
-  std::set<CompositeStateId> shown_;  // composite states that have a card
+  std::set<CompositeStateId> shown_;     // composite states that have a card
+  std::set<CompositeStateId> left_out_;  // those of rows beyond the limit
 };
 
 }  // namespace

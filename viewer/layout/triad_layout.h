@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
@@ -78,6 +79,8 @@ struct TriadBand {
   BandKind kind = BandKind::kCausalModel;
   ModelId model;  // of a causal-model band; else invalid
   std::size_t rows = 0;
+  std::size_t hidden_rows =
+      0;  // left out because of TriadOptions::max_rows; a free line under the rows says so
   std::vector<Card> cards;
   std::vector<Edge> edges;
   BandForm folded;
@@ -90,6 +93,8 @@ struct TriadOptions {
   int ring_column_width = 140;
   int model_width = 204;
   int max_lines = 12;  // conditions shown in an open card; beyond, the last line says how many more
+  // Rows of a band, and cards of a list; more are counted, not shown. For paper: a page shows all.
+  std::size_t max_rows = std::numeric_limits<std::size_t>::max();
   // Text lines of composite states that differ from their number of components (struck ones of an analogy,
   // nested states written out). Missing: one a component.
   std::map<CompositeStateId, int> lines;
@@ -116,6 +121,8 @@ struct TriadLayout {
 std::string_view BandTitle(BandKind kind);
 // Height of the free line over the cards of a band with a title; included in its forms.
 inline constexpr int kBandTitleHeight = 22;
+// Height of the free line that counts hidden rows; included in the forms of a band that has some.
+inline constexpr int kHiddenRowsHeight = 24;
 
 TriadLayout LayOutTriads(const KnowledgeBase& final_knowledge, const TriadOptions& options = {});
 

@@ -1,0 +1,146 @@
+#include "viewer/draw/curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/query/describe.h"
+#include "viewer/draw/marks.h"
+#include "viewer/draw/text_fit.h"
+
+namespace aerascope {
+namespace {
+
+// "0.75 = ψ 3/4" for a model made by analogy: familiarity times the confidence of its source.
+std::string WhereTheStartComesFrom(const Run& run, ModelId model) {
+  for (const EventId id : run.OfKind<AnalogyCompared>()) {
+    const auto* compared = run.FindBody<AnalogyCompared>(id);
+    if (compared->verdict != AnalogyVerdict::kAccepted || compared->result_requirement != model) continue;
+    std::string text = " = ψ " + std::to_string(compared->matched + compared->achievable) + "/" +
+                       std::to_string(compared->total);
+    if (compared->psi > 0 && compared->confidence < compared->psi - 1e-6) {
+      text += " × " + TwoDecimals(compared->confidence / compared->psi);
+    }
+    return text;
+  }
+  return "";
+}
+
+class Curve {
+ public:
+  Curve(Svg& svg, const Run& run, const ModelHistory& history, const Rect& area, const CurveScale& scale)
+      : svg_(svg), run_(run), history_(history), area_(area), scale_(scale) {}
+
+  void Draw() {
+    for (const double share : {1.0, scale_.lowest}) {
+      svg_.Line({area_.x, Y(share)}, {scale_.time.right(), Y(share)}, "d-line");
+      svg_.Text(area_.x, Y(share) - 4, TwoDecimals(share), {"d-3", 11});
+    }
+    if (history_.steps.empty()) return;
+    DrawSteps();
+    DrawSigns();
+    DrawEnd();
+  }
+
+ private:
+  int Y(double share) const {
+    const double clean = std::isfinite(share) ? std::clamp(share, scale_.lowest, 1.0) : scale_.lowest;
+    return area_.bottom() -
+           static_cast<int>((clean - scale_.lowest) / (1 - scale_.lowest) * area_.height + 0.5);
+  }
+  Point At(const ConfidenceStep& step) const { return {scale_.time.X(step.time), Y(step.evidence.rate())}; }
+
+  void DrawSteps() {
+    const Point start = At(history_.steps.front());
+    std::string path = "M" + std::to_string(start.x) + " " + std::to_string(start.y);
+    for (std::size_t i = 1; i < history_.steps.size(); ++i) {
+      const Point point = At(history_.steps[i]);
+      path += "H" + std::to_string(point.x) + "V" + std::to_string(point.y);
+    }
+    if (history_.steps.back().state != ModelState::kDeleted)
+      path += "H" + std::to_string(scale_.time.right());
+    svg_.Path(path, "d-curve");
+  }
+
+  void DrawSigns() {
+    const ConfidenceStep& first = history_.steps.front();
+    const Point start = At(first);
+    const ModelRecord* record = run_.final_knowledge().Find(history_.model);
+    const bool analogy = record != nullptr && record->origin == Origin::kAnalogy;
+    const std::string value = TwoDecimals(first.evidence.rate());
+    const std::string why = analogy ? WhereTheStartComesFrom(run_, history_.model) : "";
+    const int width = TextWidth(value, 12, TextWeight::kBold) + TextWidth(why, 12) + 12;
+    const std::vector<TextRun> words = {{value, "d-b"}, {why, "d-2"}};
+    // Left of its sign where there is room, else under it.
+    const bool left = start.x - width > area_.x + 40;
+    if (left) {
+      svg_.Text(start.x - 12, start.y - 4, words, {"", 12, TextAnchor::kEnd});
+    } else if (history_.steps.size() > 1 || first.evidence.rate() < 0.995) {
+      svg_.Text(start.x, start.y + 16, words, {});
+    }
+    int free_from = start.x + 8;
+    for (std::size_t i = 1; i < history_.steps.size(); ++i) free_from = DrawStep(i, free_from);
+    if (analogy) {
+      DrawStar(svg_, start, 7, "d-star");
+    } else {
+      DrawDot(svg_, start, 4, "d-star");
+    }
+  }
+
+  // Draws the sign of a step and its reason if there is room for it; returns where the next reason may begin.
+  int DrawStep(std::size_t index, int free_from) {
+    const ConfidenceStep& step = history_.steps[index];
+    const Point point = At(step);
+    const bool bad = step.success == false || step.state != ModelState::kActive;
+    if (bad) {
+      DrawCross(svg_, point, 4);
+    } else {
+      DrawDot(svg_, point, 4, "d-dot");
+    }
+    const int width = TextWidth(step.reason, 11);
+    const int room = area_.right() - width;
+    const int x = std::min(point.x + 2, room);
+    if (step.reason.empty() || x < free_from) return free_from;
+    svg_.Text(x, std::max(point.y - 9, area_.y - 2), step.reason, {bad ? "d-fail" : "d-2", 11});
+    return x + width + 8;
+  }
+
+  void DrawEnd() {
+    const ConfidenceStep& last = history_.steps.back();
+    const bool gone = last.state == ModelState::kDeleted;
+    const int x = gone ? scale_.time.X(last.time) : scale_.time.right();
+    svg_.Text(x + 9, Y(last.evidence.rate()) + 5, gone ? "given up" : TwoDecimals(last.evidence.rate()),
+              {gone ? "d-b d-fail" : "d-b", 13});
+  }
+
+  Svg& svg_;
+  const Run& run_;
+  const ModelHistory& history_;
+  const Rect& area_;
+  const CurveScale& scale_;
+};
+
+}  // namespace
+
+double LowestQuarter(const std::vector<ModelHistory>& histories) {
+  double lowest = 0.75;
+  for (const ModelHistory& history : histories) {
+    for (const ConfidenceStep& step : history.steps) {
+      const double rate = step.evidence.rate();
+      if (std::isfinite(rate)) lowest = std::min(lowest, std::floor(std::max(0.0, rate) * 4 + 1e-9) / 4);
+    }
+  }
+  return lowest;
+}
+
+void DrawConfidenceCurve(Svg& svg, const Run& run, const ModelHistory& history, const Rect& area,
+                         const CurveScale& scale) {
+  Curve(svg, run, history, area, scale).Draw();
+}
+
+void DrawTimeAxis(Svg& svg, const TimeScale& time, int base_line) {
+  for (const Time tick : time.Ticks(56)) {
+    svg.Text(time.X(tick), base_line, SecondsText(tick), {"d-3", 11, TextAnchor::kMiddle});
+  }
+}
+
+}  // namespace aerascope

@@ -1,0 +1,16 @@
+// Time lanes: who commanded, what was wanted, done, predicted, learned and made by analogy, under one time
+// axis.
+//
+// Marks of one lane never overlap: a lane opens further rows, up to a limit, and then says how many marks it
+// left out.
+#pragma once
+
+#include "engine/query/episode_summary.h"
+#include "viewer/draw/svg.h"
+
+namespace aerascope {
+
+// Draws lanes `width` wide from the origin on and returns their height.
+int DrawLanes(Svg& svg, const Run& run, const EpisodeSummary& summary, int width);
+
+}  // namespace aerascope

@@ -1,0 +1,443 @@
+#include "viewer/draw/sheet.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/base/text.h"
+#include "engine/query/describe.h"
+#include "engine/query/episode_summary.h"
+#include "engine/query/model_history.h"
+#include "viewer/draw/curves.h"
+#include "viewer/draw/graph_drawing.h"
+#include "viewer/draw/lanes.h"
+#include "viewer/draw/marks.h"
+#include "viewer/draw/svg.h"
+#include "viewer/draw/text_fit.h"
+
+namespace aerascope {
+namespace {
+
+constexpr int kMargin = 48;
+constexpr int kRight = kSheetWidth - kMargin;
+constexpr int kContentWidth = kSheetWidth - 2 * kMargin;
+constexpr int kHeadHeight = 136;
+constexpr int kCaptionHeight = 66;
+constexpr int kGraphWidth = 860;
+constexpr int kCurvesLeft = 968;
+constexpr int kFullGraphHeight = 560;  // bands are opened as long as the graph stays below, in its own pixels
+constexpr int kLongestGraph = 1500;    // bands beyond are counted, not drawn
+constexpr std::size_t kRowsOnPaper = 10;
+constexpr std::size_t kMostCurves = 7;
+
+std::string Base64(std::string_view bytes) {
+  static constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    unsigned group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = (group << 8) | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) text += k <= count ? kDigits[(group >> (18 - 6 * k)) & 63u] : '=';
+  }
+  return text;
+}
+
+// Width and height as the header of a PNG says.
+std::optional<Size> SizeOfPng(std::string_view png) {
+  static constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+  if (png.size() < 33 || png.substr(0, 8) != kSignature || png.substr(12, 4) != "IHDR") return std::nullopt;
+  const auto number = [&png](std::size_t at) {
+    unsigned value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = (value << 8) | static_cast<unsigned char>(png[at + i]);
+    return value;
+  };
+  constexpr unsigned kMost = 32767;
+  if (number(16) < 1 || number(20) < 1 || number(16) > kMost || number(20) > kMost) return std::nullopt;
+  return Size{static_cast<int>(number(16)), static_cast<int>(number(20))};
+}
+
+std::string Plural(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+bool ContainsWord(std::string_view text, std::string_view word) {
+  const auto part_of_word = [](char c) {
+    return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  };
+  if (word.empty()) return false;
+  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !part_of_word(text[at - 1])) && (end == text.size() || !part_of_word(text[end])))
+      return true;
+  }
+  return false;
+}
+
+class Sheet {
+ public:
+  Sheet(const Run& run, const SheetFrames& frames, const SheetOptions& options)
+      : run_(run), frames_(frames), options_(options), summary_(Summarise(run)) {}
+
+  Result<std::string> Build() {
+    DrawHead();
+    y_ = kHeadHeight;
+    if (frames_.frames.empty()) {
+      DrawLanesInsteadOfFrames();
+    } else if (const Status status = DrawFrames(); !status) {
+      return status.error();
+    }
+    svg_.Line({kMargin, y_}, {kRight, y_}, "d-line");
+    y_ += 40;
+    const int top = y_;
+    const int graph_end = DrawGraph(top);
+    const int curves_end = DrawCurves(top, graph_end - top);
+    y_ = std::max(graph_end, curves_end) + 28;
+    DrawFoot();
+    const Size size{kSheetWidth, y_ + 24};
+    Svg page;
+    page.Leaf("rect", {{"width", size.width}, {"height", size.height}, {"class", "d-page"}});
+    page.Append(svg_);
+    return SvgDocument(size, run_.title(), DrawingStyle(LightTheme()), page.content());
+  }
+
+ private:
+  void Heading(int x, int y, const std::string& text) { svg_.Text(x, y, text, {"d-b", 18}); }
+
+  void DrawHead() {
+    constexpr int kProvenanceWidth = 430;
+    constexpr int kTitleWidth = kContentWidth - kProvenanceWidth - 24;
+    svg_.Text(kMargin, 70, FitText(run_.title(), kTitleWidth, 32, TextWeight::kBold), {"d-b", 32});
+    int base_line = 106;
+    for (const std::string& line : WrapText(Join(summary_.headline, "; "), kContentWidth, 19, 2)) {
+      svg_.Text(kMargin, base_line, line, {"d-2", 19});
+      base_line += 24;
+    }
+    const std::vector<std::string> provenance = Provenance();
+    base_line = 50;
+    for (const std::string& line : provenance) {
+      svg_.Text(kRight, base_line, FitText(line, kProvenanceWidth, 13), {"d-3", 13, TextAnchor::kEnd});
+      base_line += 19;
+    }
+  }
+
+  std::vector<std::string> Provenance() const {
+    std::string first = options_.file_name.empty() ? "" : options_.file_name + ", ";
+    first += SecondsText(summary_.end) + " in " +
+             Plural(static_cast<std::size_t>(summary_.frames), "frame", "frames") + ", " +
+             Plural(static_cast<std::size_t>(summary_.events), "event", "events");
+    std::string second;
+    if (!run_.header().program_version.empty()) second = "aerascope " + run_.header().program_version + ", ";
+    if (!run_.started().world.empty()) second += run_.started().world + " world, ";
+    second += "seed " + std::to_string(run_.started().seed);
+    if (run_.stored_digest()) second += ", digest " + ToText(*run_.stored_digest()).substr(0, 8);
+    return {first, second};
+  }
+
+  // -----------------------------------------------------------------------------------------------------------
+  // frames
+
+  Status DrawFrames() {
+    const std::vector<KeyMoment> moments = KeyMomentsOf(run_, run_.frames().size() + 1);
+    constexpr int kGap = (kContentWidth - 3 * kSheetFrameWidth) / 2;
+    const std::size_t count = std::min(frames_.frames.size(), kSheetFrames);
+    for (std::size_t i = 0; i < count; ++i) {
+      const SheetFrame& frame = frames_.frames[i];
+      const Rect place{kMargin + static_cast<int>(i % 3) * (kSheetFrameWidth + kGap),
+                       y_ + static_cast<int>(i / 3) * (kSheetFrameHeight + kCaptionHeight), kSheetFrameWidth,
+                       kSheetFrameHeight};
+      const auto moment = std::find_if(moments.begin(), moments.end(),
+                                       [&](const KeyMoment& candidate) { return candidate.at == frame.at; });
+      const std::string caption = moment != moments.end() ? moment->caption : FrameSentence(frame.at);
+      const std::optional<Size> size = SizeOfPng(frame.png);
+      if (!size) {
+        return Error{"the picture for " + SecondsText(frame.at) +
+                     " of the sheet is not a PNG; expected its signature and header at the front"};
+      }
+      DrawStill(frame, *size, place, caption);
+      DrawCaption(frame.at, caption, place);
+    }
+    y_ += static_cast<int>((count + 2) / 3) * (kSheetFrameHeight + kCaptionHeight);
+    return Ok();
+  }
+
+  std::string FrameSentence(Time at) const {
+    const std::optional<std::size_t> frame = run_.FrameAt(at);
+    return frame ? SentenceOfFrame(run_, *frame) : "";
+  }
+
+  void DrawStill(const SheetFrame& frame, Size size, const Rect& place, const std::string& caption) {
+    svg_.Open("svg", {{"x", place.x},
+                      {"y", place.y},
+                      {"width", place.width},
+                      {"height", place.height},
+                      {"viewBox", "0 0 " + std::to_string(size.width) + " " + std::to_string(size.height)},
+                      {"preserveAspectRatio", "xMidYMid slice"}});
+    svg_.Leaf("image", {{"width", size.width},
+                        {"height", size.height},
+                        {"href", "data:image/png;base64," + Base64(frame.png)}});
+    // Lines and letters keep their size on paper whatever the size of the still.
+    const double unit = std::min(size.width / static_cast<double>(place.width),
+                                 size.height / static_cast<double>(place.height));
+    for (const SheetObject& object : frame.objects) {
+      if (ContainsWord(caption, object.name)) DrawOutline(object, unit);
+    }
+    svg_.Close();
+  }
+
+  void DrawOutline(const SheetObject& object, double unit) {
+    if (object.outline.size() > 2) {
+      std::string path;
+      for (const SheetPoint& point : object.outline) {
+        path += (path.empty() ? "M" : "L") + SvgNumber(point.x) + " " + SvgNumber(point.y);
+      }
+      for (const bool halo : {true, false}) {
+        svg_.Leaf("path", {{"d", path + "z"},
+                           {"fill", "none"},
+                           {"stroke", halo ? LightTheme().surface : LightTheme().ask},
+                           {"stroke-linejoin", "round"},
+                           {"stroke-width", (halo ? 5 : 2.5) * unit}});
+      }
+    }
+    const std::string name = FitText(object.name, 160, 14, TextWeight::kBold);
+    const std::string size = "font-size:" + SvgNumber(14 * unit) + "px";
+    svg_.Words("text", name,
+               {{"x", object.label.x},
+                {"y", object.label.y},
+                {"class", "d-b"},
+                {"text-anchor", "middle"},
+                {"style", size + ";fill:none;stroke:" + LightTheme().surface +
+                              ";stroke-linejoin:round;stroke-width:" + SvgNumber(4 * unit) + "px"}});
+    svg_.Words("text", name,
+               {{"x", object.label.x},
+                {"y", object.label.y},
+                {"class", "d-b d-ask"},
+                {"text-anchor", "middle"},
+                {"style", size}});
+  }
+
+  void DrawCaption(Time at, const std::string& caption, const Rect& place) {
+    const std::string time = SecondsText(at);
+    const int indent = TextWidth(time, 15, TextWeight::kBold) + 10;
+    int base_line = place.bottom() + 23;
+    svg_.Text(place.x, base_line, time, {"d-b", 15});
+    for (const std::string& line : WrapText(caption, place.width - indent, 14, 2)) {
+      svg_.Text(place.x + indent, base_line, line, {"d-2", 14});
+      base_line += 19;
+    }
+  }
+
+  void DrawLanesInsteadOfFrames() {
+    Heading(kMargin, y_ + 18, "What happened");
+    const std::string note = frames_.note.empty() ? "No pictures were made for this sheet." : frames_.note;
+    svg_.Text(kRight, y_ + 18, FitText(note, 900, 13), {"d-3", 13, TextAnchor::kEnd});
+    constexpr double kScale = 1.2;
+    svg_.Open("g", {{"transform", "translate(" + std::to_string(kMargin) + " " + std::to_string(y_ + 40) +
+                                      ") scale(" + SvgNumber(kScale) + ")"}});
+    const int height = DrawLanes(svg_, run_, summary_, static_cast<int>(kContentWidth / kScale));
+    svg_.Close();
+    y_ += 40 + static_cast<int>(height * kScale) + 36;
+    DrawSentences();
+  }
+
+  // Where no picture tells the story, the captions do.
+  void DrawSentences() {
+    for (const KeyMoment& moment : KeyMomentsOf(run_, kSheetFrames)) {
+      svg_.Text(kMargin, y_, SecondsText(moment.at), {"d-b", 15});
+      svg_.Text(kMargin + 70, y_, FitText(moment.caption, kContentWidth - 70, 14), {"d-2", 14});
+      y_ += 26;
+    }
+    y_ += 10;
+  }
+
+  // ------------------------------------------------------------------------------------------------------------
+  // graph
+
+  int DrawGraph(int top) {
+    Heading(kMargin, top,
+            summary_.complete ? "What it knew at the end" : "What it knew when the record ends");
+    TriadOptions options;
+    options.max_rows = kRowsOnPaper;
+    TriadLayout layout = LayOutKnowledge(run_, options);
+    ModelGraphView view;
+    view.at = kForever;
+    const std::string left_out = LeaveOut(layout);
+    if (layout.bands.empty()) {
+      svg_.Text(kMargin, top + 34, "Nothing was known: no causal model was given or learned.", {"d-2", 14});
+      return top + 60;
+    }
+    view.open_bands = BandsToOpen(layout);
+    const double scale = static_cast<double>(kGraphWidth) / layout.width;
+    const Size size = ModelGraphSize(layout, view);
+    svg_.Open("g", {{"transform", "translate(" + std::to_string(kMargin - 8) + " " +
+                                      std::to_string(top + 24) + ") scale(" + SvgNumber(scale) + ")"}});
+    DrawModelGraph(svg_, run_, layout, view);
+    svg_.Close();
+    int end = top + 24 + static_cast<int>(size.height * scale);
+    if (!left_out.empty()) {
+      end += 26;
+      svg_.Text(kMargin, end, FitText(left_out, kGraphWidth, 13), {"d-3", 13});
+    }
+    return end;
+  }
+
+  // Takes out what has no room on paper, and says so.
+  static std::string LeaveOut(TriadLayout& layout) {
+    std::size_t parts = 0;
+    std::erase_if(layout.bands, [&](const TriadBand& band) {
+      if (band.kind != BandKind::kOtherStates) return false;
+      parts = band.rows + band.hidden_rows;
+      return true;
+    });
+    std::size_t bands = 0;
+    std::size_t rows = 0;
+    while (layout.bands.size() > 1 && StackBands(layout, {}).height > kLongestGraph) {
+      ++bands;
+      rows += layout.bands.back().rows + layout.bands.back().hidden_rows;
+      layout.bands.pop_back();
+    }
+    std::vector<std::string> sentences;
+    if (bands > 0) {
+      sentences.push_back("No room for " + Plural(bands, "more model", "more models") + " with " +
+                          Plural(rows, "requirement", "requirements") + "; the report has all.");
+    }
+    if (parts > 0) {
+      sentences.push_back("Not drawn: " + Plural(parts, "composite state", "composite states") +
+                          " that no requirement asks for directly.");
+    }
+    return Join(sentences, " ");
+  }
+
+  // The first band with an analogy, then others as long as the page stays short.
+  static std::set<std::size_t> BandsToOpen(const TriadLayout& layout) {
+    std::vector<std::size_t> order;
+    const auto has_analogy = [&](std::size_t i) {
+      return std::any_of(layout.bands[i].edges.begin(), layout.bands[i].edges.end(),
+                         [](const Edge& edge) { return edge.kind == EdgeKind::kDerived; });
+    };
+    for (const bool analogy : {true, false}) {
+      for (std::size_t i = 0; i < layout.bands.size(); ++i) {
+        if (has_analogy(i) == analogy) order.push_back(i);
+      }
+    }
+    std::set<std::size_t> open;
+    for (const std::size_t band : order) {
+      open.insert(band);
+      const bool first = open.size() == 1 && layout.bands[band].open.height < kLongestGraph / 2;
+      if (!first && StackBands(layout, open).height > kFullGraphHeight) open.erase(band);
+    }
+    return open;
+  }
+
+  // -----------------------------------------------------------------------------------------------------------
+  // curves
+
+  // Those made by analogy; where there are none, those learned; where there are none, those whose evidence
+  // moved.
+  std::vector<ModelHistory> HistoriesToShow(std::string& heading, std::size_t& left_out) const {
+    std::vector<ModelHistory> histories;
+    const auto take = [&](const std::vector<ModelId>& models, const std::string& words) {
+      if (!histories.empty()) return;
+      heading = words;
+      for (const ModelId id : models) histories.push_back(HistoryOf(run_, id));
+    };
+    take(summary_.by_analogy, "How sure it was of what it made by analogy");
+    take(summary_.learned, "How sure it was of what it learned");
+    std::vector<ModelId> moved;
+    for (const auto& [id, record] : run_.final_knowledge().models()) {
+      if (histories.empty() && HistoryOf(run_, id).steps.size() > 1) moved.push_back(id);
+    }
+    take(moved, "How sure it was");
+    if (histories.size() <= kMostCurves) return histories;
+    // Those with the most outcomes, in their old order.
+    left_out = histories.size() - kMostCurves;
+    std::vector<std::size_t> lengths;
+    for (const ModelHistory& history : histories) lengths.push_back(history.steps.size());
+    std::vector<std::size_t> order(histories.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
+    order.resize(kMostCurves);
+    std::sort(order.begin(), order.end());
+    std::vector<ModelHistory> longest;
+    for (const std::size_t i : order) longest.push_back(std::move(histories[i]));
+    return longest;
+  }
+
+  int DrawCurves(int top, int height) {
+    std::string heading;
+    std::size_t left_out = 0;
+    const std::vector<ModelHistory> histories = HistoriesToShow(heading, left_out);
+    if (histories.empty()) {
+      Heading(kCurvesLeft, top, "How sure it was");
+      svg_.Text(kCurvesLeft, top + 34, "No model was learned, and none was put to the test.", {"d-2", 14});
+      return top + 60;
+    }
+    Heading(kCurvesLeft, top, heading);
+    const Time from = run_.frames().empty() ? Time{0} : run_.frames().front().interval.after;
+    const CurveScale scale{TimeScale(from, summary_.end, kCurvesLeft + 44, kRight - 62),
+                           LowestQuarter(histories)};
+    const int room = (height - 40) / static_cast<int>(histories.size());
+    const int pitch = std::clamp(room, 128, 172);
+    int y = top + 40;
+    for (const ModelHistory& history : histories) {
+      DrawCurveHead(history.model, y);
+      DrawConfidenceCurve(svg_, run_, history, {kCurvesLeft, y + 46, kRight - kCurvesLeft, pitch - 90},
+                          scale);
+      y += pitch;
+    }
+    DrawTimeAxis(svg_, scale.time, y - 8);
+    if (left_out > 0) {
+      y += 20;
+      svg_.Text(kCurvesLeft, y,
+                "Not drawn: " + Plural(left_out, "more model", "more models") + "; the report has all.",
+                {"d-3", 13});
+    }
+    return y;
+  }
+
+  void DrawCurveHead(ModelId id, int y) {
+    const ModelRecord* record = run_.final_knowledge().Find(id);
+    const bool analogy = record != nullptr && record->origin == Origin::kAnalogy;
+    const Point sign{kCurvesLeft + 7, y - 5};
+    analogy ? DrawStar(svg_, sign, 7, "d-star") : DrawDot(svg_, sign, 5, "d-mark");
+    std::string ids = IdText(id);
+    if (record != nullptr && record->derived_from.valid()) ids += " from " + IdText(record->derived_from);
+    const int ids_width = TextWidth(ids, 12, TextWeight::kMono) + 16;
+    svg_.Text(kCurvesLeft + 22, y,
+              FitText(Capital(TitleOf(run_.final_knowledge(), id)), kRight - kCurvesLeft - 22 - ids_width, 16,
+                      TextWeight::kBold),
+              {"d-b", 16});
+    svg_.Text(kRight, y, ids, {"d-id", 12, TextAnchor::kEnd});
+  }
+
+  static std::string Capital(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+  }
+
+  void DrawFoot() {
+    std::vector<std::string> signs;
+    if (!summary_.by_analogy.empty()) signs.push_back("Star: made by analogy. Struck: condition dropped.");
+    signs.push_back("Ring: confidence. Red and green: the two sides of a model.");
+    svg_.Text(kMargin, y_, Join(signs, " "), {"d-3", 13});
+    svg_.Text(kRight, y_, "aerascope", {"d-3", 13, TextAnchor::kEnd});
+  }
+
+  const Run& run_;
+  const SheetFrames& frames_;
+  const SheetOptions& options_;
+  const EpisodeSummary summary_;
+  Svg svg_;
+  int y_ = 0;
+};
+
+}  // namespace
+
+Result<std::string> BuildSheetSvg(const Run& run, const SheetFrames& frames, const SheetOptions& options) {
+  return Sheet(run, frames, options).Build();
+}
+
+}  // namespace aerascope
