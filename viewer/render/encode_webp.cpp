@@ -21,7 +21,8 @@ Result<std::string> EncodeWebp(const Image& image, const WebpOptions& options) {
                   std::to_string(image.size.width) + " x " + std::to_string(image.size.height));
   }
   WebPConfig config;
-  if (!WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, options.quality)) return Failed("the library is of another version");
+  if (!WebPConfigPreset(&config, WEBP_PRESET_DEFAULT, 75)) return Failed("the library is of another version");
+  config.quality = options.quality;
   config.method = options.effort;
   if (!WebPValidateConfig(&config)) return Failed("the quality must be 0 to 100 and the effort 0 to 6");
 

@@ -165,9 +165,11 @@ std::string ShapeText(const SceneModel& model, const mjvGeom& shape) {
 }
 
 std::string LightText(const mjvLight& light) {
-  return std::string("light: ") + (light.headlight ? "on the camera" : light.directional ? "directional" : "spot") +
-         " from " + RoundedList(light.pos, 3) + " along " + RoundedList(light.dir, 3) + " ambient " +
-         RoundedList(light.ambient, 3) + " diffuse " + RoundedList(light.diffuse, 3) +
+  const std::string place = " from " + RoundedList(light.pos, 3) + " along " + RoundedList(light.dir, 3);
+  return (light.headlight     ? "light on the camera:"
+          : light.directional ? "directional light" + place + ":"
+                              : "spot light" + place + ":") +
+         std::string(" ambient ") + RoundedList(light.ambient, 3) + " diffuse " + RoundedList(light.diffuse, 3) +
          (light.castshadow ? " with shadows" : "") + "\n";
 }
 
