@@ -1,5 +1,6 @@
 #include "engine/store/database.h"
 
+#include <cerrno>
 #include <cstring>
 
 namespace aerascope {
@@ -44,7 +45,10 @@ int Database::ProblemCode() const { return handle_ ? sqlite3_extended_errcode(ha
 
 std::string Database::Problem() const {
   const int code = ProblemCode();
-  const int system_error = handle_ ? sqlite3_system_errno(handle_.get()) : 0;
+  // SQLite does not always keep the system's error; then errno still has it, as nothing else was called since.
+  const int last_error = errno;
+  const int kept_error = handle_ ? sqlite3_system_errno(handle_.get()) : 0;
+  const int system_error = kept_error != 0 ? kept_error : last_error;
   if ((code & 0xff) == SQLITE_FULL) return "the disk is full";
   if ((code & 0xff) == SQLITE_CORRUPT) return "it is damaged";
   if ((code & 0xff) == SQLITE_NOTADB) return "it is not an SQLite file";

@@ -40,7 +40,7 @@ class Database {
   int Close();
 
   sqlite3* get() const { return handle_.get(); }
-  // What went wrong last, in words for people: "the disk is full", "database disk image is malformed" ...
+  // What went wrong last, in words for people: "the disk is full", "it is damaged" ... To be asked at once.
   std::string Problem() const;
   int ProblemCode() const;
 

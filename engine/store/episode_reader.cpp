@@ -162,8 +162,7 @@ class OpenFile {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       if (places[i] >= 0) columns += (columns.empty() ? "" : ",") + Quoted(table.columns[i].name);
     }
-    const std::string key = table.primary_key.empty() ? Quoted(table.columns[0].name) : table.primary_key;
-    return database_.Prepare("SELECT " + columns + " FROM " + Quoted(table.name) + " ORDER BY " + key);
+    return database_.Prepare("SELECT " + columns + " FROM " + Quoted(table.name) + " ORDER BY " + OrderSql(table));
   }
 
  private:

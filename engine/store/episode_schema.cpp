@@ -26,7 +26,7 @@ Columns CommonColumns() {
 
 template <class Body>
 void AddTablesOfKind(std::vector<StoredTable>* tables) {
-  StoredTable table{std::string(Body::kName), std::string(Body::kMeaning), CommonColumns(), ""};
+  StoredTable table{std::string(Body::kName), std::string(Body::kMeaning), CommonColumns(), StoredTable::Key::kNumber};
   std::vector<StoredTable> lists;
   ForEachField<Body>([&](const auto& field) {
     using Value = std::decay_t<decltype(std::declval<Body>().*(field.member))>;
@@ -36,7 +36,7 @@ void AddTablesOfKind(std::vector<StoredTable>* tables) {
       StoredTable list{table.name + "_" + name,
                        "The " + name + " of " + table.name + ": " + meaning + ".",
                        {Integer("event", "the event it belongs to"), Integer("position", "position in the list, from 0")},
-                       "event, position"};
+                       StoredTable::Key::kPosition};
       DescribeElement<typename Value::value_type>(meaning, &list.columns);
       lists.push_back(std::move(list));
     } else {
@@ -69,35 +69,35 @@ std::vector<StoredTable> CommonTables() {
        {Integer("id", "always 1"), Text("program_version", "version of the program that wrote the file"),
         IntegerOrNull("events", "number of events; NULL while the episode is not finished"),
         {"digest", "TEXT", true, "hash of the event stream, 32 hexadecimal digits; NULL while not finished"}},
-       ""},
+       StoredTable::Key::kNumber},
       {"setting",
        "The settings of the run.",
        {Text("name", "name of the setting"), Text("value", "its value as text")},
-       "name"},
+       StoredTable::Key::kText},
       {"file",
        "The files of the scenario: all that is needed to look at the episode elsewhere.",
        {Integer("position", "order, from 1"), Text("name", "relative name, with slashes"),
         {"bytes", "BLOB", false, "what the file holds"}},
-       ""},
+       StoredTable::Key::kNumber},
       {"content",
        "Terms, each written once and referred to by id: payloads, patterns, definitions.",
        {Integer("id", "number of the term, from 1, without gaps"),
         Text("text", "the term in the exact notation of engine/kb/term_codec.h")},
-       ""},
+       StoredTable::Key::kNumber},
       {"event_cause",
        "The causes of an event after the first one.",
        {Integer("event", "the event"), Integer("position", "1 for its second cause, and so on"),
         Integer("cause", "an earlier event")},
-       "event, position"},
+       StoredTable::Key::kPosition},
       {"event_count",
        "How many events of each kind there are; filled when the episode is finished.",
        {Text("kind", "name of the kind and of its table"), Integer("events", "number of events")},
-       "kind"},
+       StoredTable::Key::kText},
       {"schema_column",
        "What every table and column means.",
        {Text("table_name", "the table or view"), Text("column_name", "the column; empty for the table itself"),
         Text("meaning", "what it says, with the unit")},
-       "table_name, column_name"},
+       StoredTable::Key::kTwoTexts},
   };
 }
 
@@ -134,20 +134,34 @@ std::vector<StoredView> Views() {
 }
 
 std::string CreateSql(const StoredTable& table) {
+  using Key = StoredTable::Key;
   std::string sql = "CREATE TABLE " + Quoted(table.name) + " (  -- " + table.meaning + "\n";
+  std::string key;
+  if (table.key == Key::kText) key = Quoted(table.columns[0].name);
+  if (table.key == Key::kTwoTexts) key = Quoted(table.columns[0].name) + ", " + Quoted(table.columns[1].name);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const StoredColumn& column = table.columns[i];
     sql += "  " + Quoted(column.name) + " " + column.type;
-    if (i == 0 && table.primary_key.empty()) {
+    if (i == 0 && table.key == Key::kNumber) {
       sql += " PRIMARY KEY";
     } else if (!column.may_be_null) {
       sql += " NOT NULL";
     }
-    const bool last = i + 1 == table.columns.size() && table.primary_key.empty();
+    const bool last = i + 1 == table.columns.size() && key.empty();
     sql += (last ? "  -- " : ",  -- ") + column.meaning + "\n";
   }
-  if (!table.primary_key.empty()) return sql + "  PRIMARY KEY (" + table.primary_key + ")\n) STRICT, WITHOUT ROWID";
+  if (!key.empty()) return sql + "  PRIMARY KEY (" + key + ")\n) STRICT, WITHOUT ROWID";
   return sql + ") STRICT";
+}
+
+std::string OrderSql(const StoredTable& table) {
+  switch (table.key) {
+    case StoredTable::Key::kNumber:
+    case StoredTable::Key::kText: return Quoted(table.columns[0].name);
+    case StoredTable::Key::kTwoTexts: return Quoted(table.columns[0].name) + ", " + Quoted(table.columns[1].name);
+    case StoredTable::Key::kPosition: return "rowid";
+  }
+  return {};
 }
 
 std::string CreateSql(const StoredView& view) {
@@ -156,6 +170,14 @@ std::string CreateSql(const StoredView& view) {
 
 std::vector<std::string> IndexSql() {
   std::vector<std::string> statements{"CREATE INDEX event_cause_by_cause ON event_cause(cause)"};
+  // Keys of lists are made here and not by the tables: adding to a table that is ordered by row number is faster.
+  const auto add_key = [&](const StoredTable& table) {
+    if (table.key != StoredTable::Key::kPosition) return;
+    statements.push_back("CREATE UNIQUE INDEX " + Quoted(table.name + "_by_event") + " ON " + Quoted(table.name) +
+                         "(event, position)");
+  };
+  for (const StoredTable& table : CommonTables()) add_key(table);
+  for (const StoredTable& table : EventTables()) add_key(table);
   ForEachKind([&]<class Body>() {
     const std::string kind(Body::kName);
     statements.push_back("CREATE INDEX " + Quoted(kind + "_by_cause") + " ON " + Quoted(kind) +

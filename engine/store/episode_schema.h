@@ -18,7 +18,13 @@ struct StoredTable {
   std::string name;
   std::string meaning;
   std::vector<StoredColumn> columns;
-  std::string primary_key;  // of several columns: "event, position"; empty: the first column is the key
+  enum class Key {
+    kNumber,    // the first column, a whole number
+    kText,      // the first column, text
+    kTwoTexts,  // the first two columns, text
+    kPosition,  // the first two columns, event and position; rows are added, and lie, in that order
+  };
+  Key key = Key::kNumber;
 };
 
 struct StoredView {
@@ -35,6 +41,8 @@ std::vector<StoredView> Views();
 
 std::string CreateSql(const StoredTable& table);
 std::string CreateSql(const StoredView& view);
+// The order in which rows lie: an ORDER BY that costs nothing.
+std::string OrderSql(const StoredTable& table);
 // Indexes, created when all events are stored.
 std::vector<std::string> IndexSql();
 // INSERT with a parameter for each column.

@@ -33,6 +33,9 @@ constexpr std::chrono::milliseconds kLongestTransaction{50};
 // Terms remembered for interning, in two generations, so that memory stays bounded in a run of any length.
 constexpr std::size_t kTermsPerGeneration = 16384;
 
+// The most rows of event_cause written by one INSERT.
+constexpr std::size_t kCausesPerInsert = 6;
+
 // Where the SQLite file format keeps these numbers.
 constexpr std::size_t kHeaderSize = 100;
 constexpr std::size_t kApplicationIdOffset = 68;
@@ -137,13 +140,7 @@ class Store : public ContentIds {
     ++counts_[kind];
     digest_.Add(event);
     std::visit([&](const auto& body) { InsertBody(event, body, &statements_[kind]); }, event.body);
-    for (std::size_t i = 1; i < event.causes.size() && trouble_.empty(); ++i) {
-      Binder row(cause_.get(), this);
-      row.Integer(event.id.value);
-      row.Integer(static_cast<std::int64_t>(i));
-      row.Integer(event.causes[i].value);
-      Step(cause_, row);
-    }
+    InsertFurtherCauses(event);
   }
 
   // Number of the term in `content`; written there when it is not remembered.
@@ -251,8 +248,13 @@ class Store : public ContentIds {
       return false;
     }
     content_ = database_.Prepare("INSERT INTO content VALUES(?,?)");
-    cause_ = database_.Prepare("INSERT INTO event_cause VALUES(?,?,?)");
-    if (!content_.get() || !cause_.get()) return false;
+    if (!content_.get()) return false;
+    std::string insert_causes = "INSERT INTO event_cause VALUES(?,?,?)";
+    for (Statement& insert : causes_) {
+      insert = database_.Prepare(insert_causes);
+      if (!insert.get()) return false;
+      insert_causes += ",(?,?,?)";
+    }
     std::size_t kind = kEventKinds;
     std::size_t next_kind = 0;
     std::set<std::string> kinds;
@@ -288,6 +290,21 @@ class Store : public ContentIds {
       using Value = std::decay_t<decltype(body.*(field.member))>;
       if constexpr (kIsList<Value>) InsertList(event.id, body.*(field.member), statements->lists[list++]);
     });
+  }
+
+  // Several rows with one INSERT: a composite state has a handful of causes, and a statement costs more than a row.
+  void InsertFurtherCauses(const Event& event) {
+    for (std::size_t i = 1; i < event.causes.size() && trouble_.empty();) {
+      const std::size_t rows = std::min(event.causes.size() - i, kCausesPerInsert);
+      const Statement& insert = causes_[rows - 1];
+      Binder row(insert.get(), this);
+      for (const std::size_t end = i + rows; i < end; ++i) {
+        row.Integer(event.id.value);
+        row.Integer(static_cast<std::int64_t>(i));
+        row.Integer(event.causes[i].value);
+      }
+      Step(insert, row);
+    }
   }
 
   template <class Element>
@@ -352,7 +369,7 @@ class Store : public ContentIds {
   // Statements must be gone before the connection is closed.
   void Forget() {
     content_ = {};
-    cause_ = {};
+    for (Statement& statement : causes_) statement = {};
     for (KindStatements& statements : statements_) statements = {};
   }
 
@@ -365,7 +382,7 @@ class Store : public ContentIds {
   std::string path_;
   Database database_;
   Statement content_;
-  Statement cause_;
+  std::array<Statement, kCausesPerInsert> causes_;  // for 1, 2, 3 ... rows
   std::array<KindStatements, kEventKinds> statements_;
   std::array<std::int64_t, kEventKinds> counts_{};
   std::unordered_map<Term, std::int64_t, HashTerm> terms_;
