@@ -36,6 +36,7 @@ struct XmlAttribute {
   std::string name;
   std::string value;
   std::size_t begin = 0;  // of the value, without quotes
+  char quote = '"';
 };
 
 struct XmlTag {
@@ -72,7 +73,7 @@ std::optional<XmlTag> ReadTag(const std::string& text, std::size_t at) {
     if (at >= text.size()) return std::nullopt;
     if (text[at] == '/' || text[at] == '>') return tag;
     end = EndOfName(text, at);
-    XmlAttribute attribute{text.substr(at, end - at), "", 0};
+    XmlAttribute attribute{text.substr(at, end - at), "", 0, '"'};
     at = SkipSpace(text, end);
     if (attribute.name.empty() || at >= text.size() || text[at] != '=') return std::nullopt;
     at = SkipSpace(text, at + 1);
@@ -80,6 +81,7 @@ std::optional<XmlTag> ReadTag(const std::string& text, std::size_t at) {
     end = text.find(text[at], at + 1);
     if (end == std::string::npos) return std::nullopt;
     attribute.begin = at + 1;
+    attribute.quote = text[at];
     attribute.value = text.substr(at + 1, end - at - 1);
     tag.attributes.push_back(std::move(attribute));
     ++end;
@@ -165,7 +167,10 @@ class Packer {
       std::string replacement = *packed;
       // Without a name, MuJoCo calls a mesh after its file; keep that name when the file's changes.
       const bool names_mesh = tag.name == "mesh" && attribute.name == "file" && !tag.Find("name");
-      if (names_mesh) replacement += "\" name=\"" + std::filesystem::path(attribute.value).stem().string();
+      if (names_mesh) {
+        const std::string quote(1, attribute.quote);
+        replacement += quote + " name=" + quote + std::filesystem::path(attribute.value).stem().string();
+      }
       found.push_back({attribute.begin, attribute.value.size(), replacement});
     }
     edits.insert(edits.end(), found.begin(), found.end());

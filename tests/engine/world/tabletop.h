@@ -18,7 +18,7 @@ inline MujocoWorldConfig TabletopConfig(std::uint64_t seed) {
   config.hand.tool_site = "tool";
   config.hand.arm_joints = {"arm_yaw",         "arm_shoulder",   "arm_elbow",
                             "arm_wrist_pitch", "arm_wrist_tilt", "arm_wrist_roll"};
-  config.hand.home_posture = {0, 0.23, 0.24, -0.47, 0, 1.57};
+  config.hand.home_posture = {0, 0.23, 0.24, -0.47, 0, -1.57};
   config.hand.home_position_m = {0, -0.03};
   config.hand.tool_yaw_rad = 0;
   config.hand.finger_bodies = {"finger_left", "finger_right"};
@@ -31,8 +31,8 @@ inline MujocoWorldConfig TabletopConfig(std::uint64_t seed) {
                     {"cyl", "cyl", {{"shape", "cylinder"}, {"size", "large"}}}};
   config.noise = {seed, 0.015, 0.1, 0.11};
   config.motion.grasp_height_m = 0.025;
-  config.motion.workspace_min_m = {-0.26, -0.16};
-  config.motion.workspace_max_m = {0.26, 0.07};
+  config.motion.workspace_min_m = {-0.24, -0.15};
+  config.motion.workspace_max_m = {0.24, 0.07};
   config.commands = {{"move", CommandKind::kMove, 0, 0},
                      {"grab_type_1", CommandKind::kGrab, 0.044, 0.018},
                      {"grab_type_2", CommandKind::kGrab, 0.090, 0.052},
