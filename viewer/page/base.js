@@ -1,0 +1,92 @@
+// ---- base.js: making elements, and words and numbers for people.
+
+const $ = (id) => document.getElementById(id);
+const SVG = "http://www.w3.org/2000/svg";
+
+// Everything from the episode reaches the page as text or attribute value through these two, never as markup.
+function build(node, attributes, children) {
+  for (const [name, value] of Object.entries(attributes || {})) {
+    if (value === null || value === undefined || value === false) continue;
+    if (name === "text") node.textContent = value;
+    else if (name === "on") for (const [event, handler] of Object.entries(value)) node.addEventListener(event, handler);
+    else node.setAttribute(name, value === true ? "" : value);
+  }
+  node.append(...children.flat().filter((child) => child !== null && child !== undefined && child !== ""));
+  return node;
+}
+const el = (tag, attributes, ...children) => build(document.createElement(tag), attributes, children);
+const svg = (tag, attributes, ...children) => build(document.createElementNS(SVG, tag), attributes, children);
+
+function mark(name, more) {
+  return svg("svg", { class: "mark" + (more ? " " + more : ""), "aria-hidden": "true" },
+    svg("use", { href: "#m-" + name }));
+}
+// A mark inside a drawing, its middle at x, y.
+function signAt(name, x, y, size, more) {
+  return svg("svg", { class: more, x: x - size / 2, y: y - size / 2, width: size, height: size, "aria-hidden": "true" },
+    svg("use", { href: "#m-" + name }));
+}
+
+// Text in which the names of variables are set in italics.
+function withVariables(text, variables, tag) {
+  const italic = (word) => (tag === "tspan" ? svg("tspan", { class: "var", "font-style": "italic", text: word })
+    : el("span", { class: "var", text: word }));
+  const names = new Set(variables || []);
+  if (!names.size) return [text];
+  return text.split(/([\p{L}\p{N}_]+)/u).map((word) => (names.has(word) ? italic(word) : word));
+}
+// The same for a line that a generalisation dropped: struck.
+function conditionLine(line) {
+  const parts = withVariables(line.text, line.vars);
+  return line.cut ? [el("s", {}, ...parts)] : parts;
+}
+// Sentences: ids of things that can be selected are set off, code marks are taken away.
+function sentence(text) {
+  return text.split(/(\b(?:mdl|cst|goal|pred)_\d+\b|`[^`]*`)/).map((part) => {
+    if (part.startsWith("`") && part.length > 1) return "\u201c" + part.slice(1, -1) + "\u201d";
+    return /^(mdl|cst)_\d+$/.test(part) ? el("b", { text: part }) : part;
+  });
+}
+
+// Seconds with just the decimals that the sampling period needs.
+let timeDecimals = 1;
+function setTimeDecimals(periodUs) {
+  timeDecimals = 1;
+  for (const [step, decimals] of [[100000, 1], [10000, 2], [1000, 3]]) {
+    if (periodUs > 0 && periodUs % step === 0) { timeDecimals = decimals; return; }
+  }
+  if (periodUs > 0) timeDecimals = 3;
+}
+const clockText = (us) => (us / 1e6).toFixed(timeDecimals) + " s";
+const secondsText = (us) => String(Number((us / 1e6).toFixed(Math.max(timeDecimals, 1)))) + " s";
+const tickText = (us) => String(Number((us / 1e6).toFixed(3)));
+const sureText = (value) => value.toFixed(2);
+const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
+
+// The last item of a list, ordered by `at`, that is not after t; undefined before the first.
+function lastAt(list, t, at) {
+  let low = 0, high = list.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (at(list[middle]) <= t) low = middle + 1; else high = middle;
+  }
+  return list[low - 1];
+}
+
+// Text that does not fit is shortened in the middle, since ends tell names apart ("grab_1", "grab_2").
+const ruler = document.createElement("canvas").getContext("2d");
+function widthOf(text, pixels) {
+  ruler.font = pixels + "px " + getComputedStyle(document.body).fontFamily;
+  return ruler.measureText(text).width;
+}
+function fitted(text, room, pixels) {
+  if (widthOf(text, pixels) <= room) return text;
+  const letters = Array.from(text);
+  for (let keep = letters.length - 1; keep >= 2; --keep) {
+    const tail = Math.min(Math.floor(keep / 2), 4);
+    const short = letters.slice(0, keep - tail).join("").trimEnd() + "\u2026" +
+      letters.slice(letters.length - tail).join("").trimStart();
+    if (widthOf(short, pixels) <= room) return short;
+  }
+  return "";
+}

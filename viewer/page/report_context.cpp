@@ -1,0 +1,185 @@
+#include "viewer/page/report_context.h"
+
+#include <algorithm>
+
+namespace aerascope {
+namespace {
+
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+
+// The last entity named in a term, in reading order.
+std::string LastEntity(const Term& term) {
+  std::string name;
+  ForEachTerm(term, [&](const Term& part) {
+    if (part.is(TermKind::kEntity)) name = part.name();
+  });
+  return name;
+}
+
+}  // namespace
+
+ReportContext::ReportContext(const Run& the_run)
+    : run(the_run),
+      knowledge(the_run.final_knowledge()),
+      summary(Summarise(the_run)),
+      goals(MakeGoalTree(the_run)) {
+  for (ModelHistory& history : Histories(run)) histories[history.model] = std::move(history);
+  for (const auto& [id, record] : knowledge.models()) {
+    if (!IsRequirement(record.model)) continue;
+    const CompositeStateId state = RequiredState(record.model);
+    if (state.valid()) requirement_on.try_emplace(state, id);
+  }
+  CollectComparisons();
+  CollectUses();
+}
+
+void ReportContext::CollectComparisons() {
+  for (const EventId id : run.OfKind<AnalogyCompared>()) {
+    const auto* compared = run.FindBody<AnalogyCompared>(id);
+    if (compared->verdict == AnalogyVerdict::kAccepted && compared->result_requirement.valid())
+      comparison_of.try_emplace(compared->result_requirement, id);
+  }
+}
+
+// A model is used from the comparison or the prediction on that bound it, up to the frame in which the
+// outcome was seen.
+void ReportContext::CollectUses() {
+  const Duration period{run.started().sampling_period_us};
+  for (const auto& [requirement, event] : comparison_of) {
+    const auto* compared = run.FindBody<AnalogyCompared>(event);
+    // The new state has the variables of its source by name, so the source's instance tells what they stand
+    // for.
+    uses[requirement].push_back(
+        {run.Find(event)->time, run.Find(event)->time + period, BindingsOf(knowledge, compared->bindings)});
+  }
+  for (const PredictionRecordOfRun& prediction : summary.predictions) {
+    std::vector<Binding> bindings;
+    for (const EventId cause : run.Causes(prediction.event)) {
+      if (run.FindBody<ImdlPredicted>(cause) == nullptr) continue;
+      for (const EventId state : run.Causes(cause)) {
+        const auto* found = run.FindBody<IcstFound>(state);
+        if (found != nullptr && bindings.empty()) bindings = BindingsOf(knowledge, found->fact.payload);
+      }
+    }
+    if (bindings.empty()) continue;
+    const Use use{prediction.time, prediction.until + period, bindings};
+    for (const ModelId requirement : prediction.requirements) uses[requirement].push_back(use);
+    uses[prediction.model].push_back(use);
+  }
+  for (auto& [model, list] : uses)
+    std::stable_sort(list.begin(), list.end(), [](const Use& a, const Use& b) { return a.from < b.from; });
+}
+
+std::string ReportContext::SubjectOf(CompositeStateId state) const {
+  if (knowledge.Find(state) == nullptr) return "";
+  const auto found = requirement_on.find(state);
+  return found == requirement_on.end() ? IdText(state) : IdText(found->second);
+}
+
+std::string ReportContext::SubjectOf(const Event& event) const {
+  if (event.simulation.valid()) return "";
+  const auto goal = [&](GoalId id) { return IdText(id); };
+  return std::visit(
+      Overloaded{[&](const CompositeStateCreated& e) { return SubjectOf(e.state.id); },
+                 [&](const ModelCreated& e) { return IdText(e.model.id); },
+                 [&](const EvidenceUpdated& e) { return IdText(e.model); },
+                 [&](const ModelStateChanged& e) { return IdText(e.model); },
+                 [&](const ImdlPredicted& e) { return IdText(e.requirement); },
+                 [&](const PredictionMade& e) { return IdText(e.prediction); },
+                 [&](const PredictionSucceeded& e) { return IdText(e.prediction); },
+                 [&](const PredictionFailed& e) { return IdText(e.prediction); },
+                 [&](const DriveInjected& e) { return goal(e.goal); },
+                 [&](const GoalSet& e) { return goal(e.goal); },
+                 [&](const GoalAchieved& e) { return goal(e.goal); },
+                 [&](const GoalFailed& e) { return goal(e.goal); },
+                 [&](const PlanCommitted& e) { return goal(e.goal); },
+                 [&](const CommandIssued&) { return IdText(event.id); },
+                 [&](const AnalogyCompared& e) {
+                   return IdText(e.result_requirement.valid() ? e.result_requirement : e.requirement);
+                 },
+                 [](const auto&) { return std::string(); }},
+      event.body);
+}
+
+std::optional<Time> ReportContext::DeletedAt(ModelId model) const {
+  const auto history = histories.find(model);
+  if (history == histories.end() || history->second.steps.empty()) return std::nullopt;
+  const ConfidenceStep& last = history->second.steps.back();
+  if (last.state != ModelState::kDeleted) return std::nullopt;
+  return last.time;
+}
+
+std::string MarkOf(Origin origin) {
+  switch (origin) {
+    case Origin::kSeed:
+      return "given";
+    case Origin::kAnalogy:
+      return "analogy";
+    case Origin::kInduction:
+    case Origin::kPredictionFailure:
+    case Origin::kGoalSuccess:
+      return "learned";
+  }
+  return "learned";
+}
+
+std::string MarkOf(const Event& event) {
+  return std::visit(
+      Overloaded{[](const CompositeStateCreated& e) { return MarkOf(e.origin); },
+                 [](const ModelCreated& e) { return MarkOf(e.origin); },
+                 [](const InductionStarted&) { return std::string("learned"); },
+                 [](const CauseConsidered&) { return std::string("learned"); },
+                 [](const AnalogyCompared&) { return std::string("analogy"); },
+                 [](const PredictionMade&) { return std::string("prediction"); },
+                 [](const PredictionSucceeded&) { return std::string("prediction"); },
+                 [](const PredictionFailed&) { return std::string("prediction"); },
+                 [](const ImdlPredicted&) { return std::string("prediction"); },
+                 [](const DriveInjected&) { return std::string("goal"); },
+                 [](const GoalSet&) { return std::string("goal"); },
+                 [](const GoalSkipped&) { return std::string("goal"); },
+                 [](const GoalAchieved&) { return std::string("goal"); },
+                 [](const GoalFailed&) { return std::string("goal"); },
+                 [](const PlanCommitted&) { return std::string("goal"); },
+                 [](const SimulationStarted&) { return std::string("goal"); },
+                 [](const SimulationEnded&) { return std::string("goal"); },
+                 [](const CommandIssued& e) {
+                   return std::string(e.by == Commander::kTeacher ? "taught-command" : "command");
+                 },
+                 [](const CommandRefused&) { return std::string("command"); },
+                 [](const FactObserved& e) {
+                   return std::string(e.source == FactSource::kExecuted ? "command" : "seen");
+                 },
+                 [](const EvidenceUpdated&) { return std::string("model"); },
+                 [](const ModelStateChanged&) { return std::string("model"); },
+                 [](const auto&) { return std::string("seen"); }},
+      event.body);
+}
+
+bool TellsOfFailure(const Event& event) {
+  if (const auto* ended = std::get_if<SimulationEnded>(&event.body))
+    return ended->outcome != SimulationOutcome::kReached;
+  if (const auto* updated = std::get_if<EvidenceUpdated>(&event.body)) return !updated->success;
+  return std::holds_alternative<PredictionFailed>(event.body) ||
+         std::holds_alternative<GoalFailed>(event.body) || std::holds_alternative<CommandRefused>(event.body);
+}
+
+std::string ObjectOf(const AnalogyCompared& compared) {
+  for (const ComparedComponent& component : compared.components) {
+    if (component.status != ComponentStatus::kMissed) continue;
+    if (IsValue(component.pattern) && component.pattern[0].is(TermKind::kEntity))
+      return component.pattern[0].name();
+    const std::string inside = LastEntity(component.pattern);
+    if (!inside.empty()) return inside;
+  }
+  return LastEntity(compared.bindings);
+}
+
+std::string Capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+}  // namespace aerascope
