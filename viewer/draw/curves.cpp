@@ -72,13 +72,13 @@ class Curve {
     const std::vector<TextRun> words = {{value, "d-b"}, {why, "d-2"}};
     // Left of its sign where there is room, else under it.
     const bool left = start.x - width > area_.x + 40;
+    if (left) labels_.push_back({start.x - 12 - width, start.y - 14, width, 14});
     if (left) {
       svg_.Text(start.x - 12, start.y - 4, words, {"", 12, TextAnchor::kEnd});
     } else if (history_.steps.size() > 1 || first.evidence.rate() < 0.995) {
       svg_.Text(start.x, start.y + 16, words, {});
     }
-    int free_from = start.x + 8;
-    for (std::size_t i = 1; i < history_.steps.size(); ++i) free_from = DrawStep(i, free_from);
+    for (std::size_t i = 1; i < history_.steps.size(); ++i) DrawStep(i);
     if (analogy) {
       DrawStar(svg_, start, 7, "d-star");
     } else {
@@ -86,22 +86,36 @@ class Curve {
     }
   }
 
-  // Draws the sign of a step and its reason if there is room for it; returns where the next reason may begin.
-  int DrawStep(std::size_t index, int free_from) {
+  // The sign of a step, and its reason if there is room for it: over the curve, else left of the sign.
+  void DrawStep(std::size_t index) {
     const ConfidenceStep& step = history_.steps[index];
     const Point point = At(step);
     const bool bad = step.success == false || step.state != ModelState::kActive;
     if (bad) {
-      DrawCross(svg_, point, 4);
+      DrawCross(svg_, point, 5);
     } else {
       DrawDot(svg_, point, 4, "d-dot");
     }
+    if (step.reason.empty()) return;
     const int width = TextWidth(step.reason, 11);
-    const int room = area_.right() - width;
-    const int x = std::min(point.x + 2, room);
-    if (step.reason.empty() || x < free_from) return free_from;
-    svg_.Text(x, std::max(point.y - 9, area_.y - 2), step.reason, {bad ? "d-fail" : "d-2", 11});
-    return x + width + 8;
+    const int over_x = std::min(point.x + 2, area_.right() - width);
+    const int over_y = std::max(point.y - 10, area_.y - 2);
+    const bool taken_by_curve = bad || over_x < point.x - 24;
+    if (!taken_by_curve && Label({over_x, over_y - 10, width, 12}, step.reason, bad)) return;
+    if (point.x - 10 - width < area_.x + 40) return;
+    Label({point.x - 10 - width, point.y - 6, width, 12}, step.reason, bad);
+  }
+
+  // Writes into the box unless it meets the box of another label; only the last few can be near.
+  bool Label(const Rect& box, const std::string& text, bool bad) {
+    constexpr std::size_t kNear = 8;
+    const std::size_t first = labels_.size() > kNear ? labels_.size() - kNear : 0;
+    for (std::size_t i = first; i < labels_.size(); ++i) {
+      if (Overlap(labels_[i], box)) return false;
+    }
+    labels_.push_back({box.x - 4, box.y, box.width + 8, box.height});
+    svg_.Text(box.x, box.y + 10, text, {bad ? "d-fail" : "d-2", 11});
+    return true;
   }
 
   void DrawEnd() {
@@ -117,6 +131,7 @@ class Curve {
   const ModelHistory& history_;
   const Rect& area_;
   const CurveScale& scale_;
+  std::vector<Rect> labels_;  // where reasons stand
 };
 
 }  // namespace

@@ -398,7 +398,7 @@ class Drawer {
   std::string HeadNote(ModelId id, const ModelRecord& record) const {
     if (record.state == ModelState::kDeleted) return "given up";
     const ModelUse use = UseOf(run_, id, view_.at);
-    if (use.predicted == 0) return OriginText(record.origin, record.created);
+    if (use.came_true + use.failed == 0) return OriginText(record.origin, record.created);
     return "came true " + std::to_string(use.came_true) + " of " + std::to_string(use.came_true + use.failed);
   }
 
@@ -437,10 +437,11 @@ void DrawModelGraph(Svg& svg, const Run& run, const TriadLayout& layout, const M
 
 std::string ModelGraphSvg(const Run& run, const TriadLayout& layout, const ModelGraphView& view,
                           const Theme& theme) {
+  const Size size = ModelGraphSize(layout, view);
   Svg svg;
+  svg.Leaf("rect", {{"width", size.width}, {"height", size.height}, {"class", "d-page"}});
   DrawModelGraph(svg, run, layout, view);
-  return SvgDocument(ModelGraphSize(layout, view), "What was known at " + SecondsText(view.at),
-                     DrawingStyle(theme), svg.content());
+  return SvgDocument(size, "What was known at " + SecondsText(view.at), DrawingStyle(theme), svg.content());
 }
 
 }  // namespace aerascope

@@ -61,10 +61,21 @@ std::size_t Farthest(const std::vector<KeyMoment>& candidates, const std::vector
   return best;
 }
 
+// Sentences mark quoted knowledge by back quotes; a caption has the quotes of print.
+std::string InPrint(std::string_view sentence) {
+  std::string text;
+  bool open = false;
+  for (const char c : sentence) {
+    if (c == '`') open = !open;
+    text += c != '`' ? std::string(1, c) : open ? "“" : "”";
+  }
+  return text;
+}
+
 std::string CaptionOf(const Run& run, const KeyMoment& moment) {
-  if (const Event* event = run.Find(moment.event)) return SentenceOf(run, *event);
+  if (const Event* event = run.Find(moment.event)) return InPrint(SentenceOf(run, *event));
   const std::optional<std::size_t> frame = run.FrameAt(moment.at);
-  return frame ? SentenceOfFrame(run, *frame) : "";
+  return frame ? InPrint(SentenceOfFrame(run, *frame)) : "";
 }
 
 std::vector<KeyMoment> FirstAndLastFrame(const Run& run, std::size_t max) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/text.h"
 #include "engine/query/describe.h"
 #include "viewer/draw/curves.h"
 #include "viewer/draw/marks.h"
@@ -19,7 +20,7 @@ constexpr std::size_t kMaxMarks = 2000;  // of one lane
 
 struct Bar {
   TimeInterval interval;
-  std::string text;
+  std::vector<std::string> texts;  // the first that fits is written
   TagShape shape = TagShape::kBar;
   std::string classes;
   Outcome outcome = Outcome::kOpen;
@@ -78,7 +79,7 @@ class Lanes {
     for (const DriveOutcome& drive : summary_.drives) {
       const std::string text =
           drive.title.empty() ? FactText(run_.final_knowledge(), drive.target) : drive.title;
-      bars.push_back({{drive.from, drive.until}, text, TagShape::kPointsLeft, "d-card", drive.outcome});
+      bars.push_back({{drive.from, drive.until}, {text}, TagShape::kPointsLeft, "d-card", drive.outcome});
     }
     return bars;
   }
@@ -86,7 +87,7 @@ class Lanes {
     std::vector<Bar> bars;
     for (const IssuedCommand& command : CommandsOf(run_)) {
       bars.push_back({{command.time, command.interval.before},
-                      PayloadText(run_.final_knowledge(), command.command),
+                      {PayloadText(run_.final_knowledge(), command.command), FunctionOf(command.command)},
                       TagShape::kBar,
                       command.by == Commander::kTeacher ? "d-teacher" : "d-bar",
                       command.refused.valid() ? Outcome::kFailed : Outcome::kOpen});
@@ -97,13 +98,26 @@ class Lanes {
     std::vector<Bar> bars;
     for (const PredictionRecordOfRun& prediction : summary_.predictions) {
       bars.push_back({{prediction.time, prediction.until},
-                      FactText(run_.final_knowledge(), prediction.target),
+                      ShorterAndShorter(prediction.target),
                       TagShape::kPointsRight,
                       "d-card",
                       prediction.outcome});
     }
     return bars;
   }
+  static std::string FunctionOf(const Term& command) {
+    return IsCommand(command) ? Printable(command[0].name()) : std::string();
+  }
+  // "h holding [s1]", "holding [s1]", "[s1]".
+  std::vector<std::string> ShorterAndShorter(const Fact& fact) const {
+    std::vector<std::string> texts = {FactText(run_.final_knowledge(), fact)};
+    if (!IsValue(fact.payload) || !fact.positive) return texts;
+    const std::size_t space = texts[0].find(' ');
+    if (space != std::string::npos) texts.push_back(texts[0].substr(space + 1));
+    texts.push_back(ValueText(fact.payload[2]));
+    return texts;
+  }
+
   std::vector<Sign> Learned(bool by_analogy) const {
     std::vector<Sign> signs;
     for (const ModelId id : summary_.learned) {
@@ -147,8 +161,12 @@ class Lanes {
     const int pad = bar.shape == TagShape::kPointsLeft ? 10 : 6;
     const int sign = bar.outcome == Outcome::kOpen || rect.width < 24 ? 0 : 16;
     const int room = rect.width - pad - sign - (bar.shape == TagShape::kPointsRight ? 6 : 4);
-    const std::string text = FitText(bar.text, room, 11);
-    if (TextWidth(text, 11) > 14) svg_.Text(rect.x + pad, rect.y + 14, text, {"", 11});
+    const auto whole = std::find_if(bar.texts.begin(), bar.texts.end(), [room](const std::string& candidate) {
+      return !candidate.empty() && TextWidth(candidate, 11) <= room;
+    });
+    const std::string text = whole != bar.texts.end() ? *whole : FitText(bar.texts.front(), room, 11);
+    if (whole != bar.texts.end() || TextWidth(text, 11) > 24)
+      svg_.Text(rect.x + pad, rect.y + 14, text, {"", 11});
     if (sign == 0) return;
     const Point at{rect.right() - (bar.shape == TagShape::kPointsRight ? 14 : 10), rect.centre().y};
     failed ? DrawCross(svg_, at, 3) : DrawCheck(svg_, at, 4);

@@ -1,7 +1,9 @@
 #include "viewer/draw/sheet.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "engine/base/text.h"
 #include "engine/query/describe.h"
@@ -233,7 +235,7 @@ class Sheet {
     Heading(kMargin, y_ + 18, "What happened");
     const std::string note = frames_.note.empty() ? "No pictures were made for this sheet." : frames_.note;
     svg_.Text(kRight, y_ + 18, FitText(note, 900, 13), {"d-3", 13, TextAnchor::kEnd});
-    constexpr double kScale = 1.2;
+    constexpr double kScale = 1.05;
     svg_.Open("g", {{"transform", "translate(" + std::to_string(kMargin) + " " + std::to_string(y_ + 40) +
                                       ") scale(" + SvgNumber(kScale) + ")"}});
     const int height = DrawLanes(svg_, run_, summary_, static_cast<int>(kContentWidth / kScale));
@@ -310,20 +312,21 @@ class Sheet {
     return Join(sentences, " ");
   }
 
-  // The first band with an analogy, then others as long as the page stays short.
-  static std::set<std::size_t> BandsToOpen(const TriadLayout& layout) {
-    std::vector<std::size_t> order;
-    const auto has_analogy = [&](std::size_t i) {
-      return std::any_of(layout.bands[i].edges.begin(), layout.bands[i].edges.end(),
-                         [](const Edge& edge) { return edge.kind == EdgeKind::kDerived; });
-    };
-    for (const bool analogy : {true, false}) {
-      for (std::size_t i = 0; i < layout.bands.size(); ++i) {
-        if (has_analogy(i) == analogy) order.push_back(i);
+  // The band of the first analogy in time, then others as long as the page stays short.
+  std::set<std::size_t> BandsToOpen(const TriadLayout& layout) const {
+    std::vector<std::pair<CompositeStateId, std::size_t>>
+        order;  // by the first state that was derived in the band
+    for (std::size_t i = 0; i < layout.bands.size(); ++i) {
+      CompositeStateId first{std::numeric_limits<std::int64_t>::max()};
+      for (const Edge& edge : layout.bands[i].edges) {
+        const CompositeStateId state = layout.bands[i].cards[edge.to].state;
+        if (edge.kind == EdgeKind::kDerived && state.valid()) first = std::min(first, state);
       }
+      order.emplace_back(first, i);
     }
+    std::sort(order.begin(), order.end());
     std::set<std::size_t> open;
-    for (const std::size_t band : order) {
+    for (const auto& [derived, band] : order) {
       open.insert(band);
       const bool first = open.size() == 1 && layout.bands[band].open.height < kLongestGraph / 2;
       if (!first && StackBands(layout, open).height > kFullGraphHeight) open.erase(band);
@@ -380,7 +383,7 @@ class Sheet {
     const CurveScale scale{TimeScale(from, summary_.end, kCurvesLeft + 44, kRight - 62),
                            LowestQuarter(histories)};
     const int room = (height - 40) / static_cast<int>(histories.size());
-    const int pitch = std::clamp(room, 128, 172);
+    const int pitch = std::clamp(room, 128, 196);
     int y = top + 40;
     for (const ModelHistory& history : histories) {
       DrawCurveHead(history.model, y);
@@ -407,15 +410,10 @@ class Sheet {
     if (record != nullptr && record->derived_from.valid()) ids += " from " + IdText(record->derived_from);
     const int ids_width = TextWidth(ids, 12, TextWeight::kMono) + 16;
     svg_.Text(kCurvesLeft + 22, y,
-              FitText(Capital(TitleOf(run_.final_knowledge(), id)), kRight - kCurvesLeft - 22 - ids_width, 16,
+              FitText(TitleOf(run_.final_knowledge(), id), kRight - kCurvesLeft - 22 - ids_width, 16,
                       TextWeight::kBold),
               {"d-b", 16});
     svg_.Text(kRight, y, ids, {"d-id", 12, TextAnchor::kEnd});
-  }
-
-  static std::string Capital(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
   }
 
   void DrawFoot() {

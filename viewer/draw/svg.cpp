@@ -151,7 +151,7 @@ std::string SvgDocument(Size size, std::string_view title, std::string_view styl
   std::string document = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + std::to_string(size.width) +
                          "\" height=\"" + std::to_string(size.height) + "\" viewBox=\"0 0 " +
                          std::to_string(size.width) + " " + std::to_string(size.height) +
-                         "\" role=\"img\">\n";
+                         "\" role=\"img\" xml:space=\"preserve\">\n";
   document += head.content();
   document += "<style>";
   document += style;

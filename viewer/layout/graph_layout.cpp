@@ -110,8 +110,12 @@ bool PlaceByGraphviz(const GraphToPlace& input, PlacedGraph& placed) {
   if (!graphviz.LayOut()) return false;
 
   const boxf box = GD_bb(graph);
-  const auto at = [&box](pointf point) {
-    return Point{Whole(point.x - box.LL.x) + kMargin, Whole(box.UR.y - point.y) + kMargin};
+  // Graphviz counts y upwards, and what comes first in the input ends up below in a graph from left to right:
+  // not turned over there, the first stands at the top.
+  const bool turn = input.direction == GraphDirection::kTopDown;
+  const auto at = [&box, turn](pointf point) {
+    const double y = turn ? box.UR.y - point.y : point.y - box.LL.y;
+    return Point{Whole(point.x - box.LL.x) + kMargin, Whole(y) + kMargin};
   };
   placed.size = {Whole(box.UR.x - box.LL.x) + 2 * kMargin, Whole(box.UR.y - box.LL.y) + 2 * kMargin};
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -314,7 +314,7 @@ class Layouter {
   const KnowledgeBase& knowledge_;
   const TriadOptions& options_;
   TriadLayout layout_;
-  std::map<ModelId, RowTree> trees_;  // by the model of the band
+  std::map<ModelId, RowTree> trees_;     // by the model of the band
   std::set<CompositeStateId> shown_;     // composite states that have a card
   std::set<CompositeStateId> left_out_;  // those of rows beyond the limit
 };
