@@ -515,11 +515,15 @@ class SeedReader {
     return Ok();
   }
 
+  // OpenAERA's dumps have facts about instances whose arguments are not all bound.
+  Scope* OpenScope(Scope* scope) const { return options_.foreign ? scope : nullptr; }
+
   Status ReadNamedPayload(const SyntaxNode& object) {
     if (object.label.empty()) {
       return At(object, "expected a label in front of (" + object.text + " ...), or a (fact ...) around it");
     }
-    Result<Term> payload = Payload(object, nullptr);
+    Scope open;
+    Result<Term> payload = Payload(object, OpenScope(&open));
     if (!payload) return payload.error();
     Declare(object, Declared::Kind::kPayload, std::move(*payload), 0);
     return Ok();
@@ -534,7 +538,8 @@ class SeedReader {
     const auto fields = Fields(object, {"payload", "start", "end"}, 2);
     if (!fields) return fields.error();
     SeedFact read{object.label, {}};
-    Result<Term> payload = Payload(*(*fields)[0], nullptr);
+    Scope open;
+    Result<Term> payload = Payload(*(*fields)[0], OpenScope(&open));
     if (!payload) return payload.error();
     const Result<Term> after = Instant(*(*fields)[1], nullptr);
     if (!after) return after.error();

@@ -163,7 +163,7 @@ Error SyntaxReader::ErrorHere(const std::string& message) const {
 }
 
 std::string SyntaxReader::FoundHere() const {
-  if (next_.kind == Token::Kind::kEnd) return "found the end of the text";
+  if (next_.source.empty()) return "found the end of the text";
   std::string_view source = next_.source;
   if (source.size() > 40) source = source.substr(0, 40);
   return "found '" + Printable(source) + "'";

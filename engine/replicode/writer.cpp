@@ -58,12 +58,17 @@ class Writer {
  public:
   // Labels of composite states and models by number; those missing are written cst_12, mdl_14.
   std::map<std::int64_t, std::string> labels;
-  std::vector<std::string> variables;  // names by number, of the definition being written
+
+  // Begins a definition whose variables have these names, by number.
+  void Begin(std::vector<std::string> names) {
+    variables_ = std::move(names);
+    met_.clear();
+  }
 
   const std::optional<Error>& error() const { return error_; }
 
-  // In patterns a variable has its colon and fields without meaning are wildcards; in guards variables are bare; in
-  // stated facts the fields without meaning have values.
+  // In patterns a variable has its colon and fields without meaning are wildcards; in guards variables already met are
+  // bare; in stated facts the fields without meaning have values.
   enum class Place { kPattern, kGuard, kFact };
 
   std::string Value(const Term& term, Place place) {
@@ -76,7 +81,7 @@ class Writer {
       case TermKind::kDuration: return DurationText(term.duration());
       case TermKind::kString: return QuotedText(term.name());
       case TermKind::kBool: return term.boolean() ? "true" : "false";
-      case TermKind::kVariable: return VariableName(term.variable()) + (place == Place::kGuard ? "" : ":");
+      case TermKind::kVariable: return Variable(term.variable(), place);
       case TermKind::kWildcard: return ":";
       case TermKind::kSet: return "[" + Items(term, place) + "]";
       case TermKind::kStruct: return Struct(term, place);
@@ -107,9 +112,8 @@ class Writer {
     if (guards.empty()) return "|[]\n";
     std::string text = "[]\n";
     for (const Guard& guard : guards) {
-      text += "   ";
-      if (guard.target) text += VariableName(*guard.target) + ":";
-      text += Expression(guard.expression) + "\n";
+      const std::string expression = Expression(guard.expression);
+      text += "   " + (guard.target ? Variable(*guard.target, Place::kPattern) : "") + expression + "\n";
     }
     return text;
   }
@@ -142,12 +146,15 @@ class Writer {
     const bool operation = term.is(TermKind::kStruct) && term.size() == 2 &&
                            (is_operator(kArithmeticWords) || is_operator(kTestWords));
     if (!operation) return Value(term, Place::kGuard);
-    return "(" + term.name() + " " + Expression(term[0]) + " " + Expression(term[1]) + ")";
+    const std::string first = Expression(term[0]);  // in order: a variable has its colon where it is met first
+    return "(" + term.name() + " " + first + " " + Expression(term[1]) + ")";
   }
 
-  std::string VariableName(int variable) {
+  std::string Variable(int variable, Place place) {
     const auto i = static_cast<std::size_t>(variable);
-    return i < variables.size() ? variables[i] : "v" + std::to_string(variable);
+    const bool is_new = met_.insert(variable).second;
+    return (i < variables_.size() ? variables_[i] : "v" + std::to_string(variable)) +
+           (place == Place::kGuard && !is_new ? "" : ":");
   }
 
   std::string Label(const Term& reference) {
@@ -162,6 +169,8 @@ class Writer {
     return {};
   }
 
+  std::vector<std::string> variables_;
+  std::set<int> met_;
   std::optional<Error> error_;
 };
 
@@ -188,7 +197,7 @@ class SeedWriter {
     for (const SeedCompositeState& item : seed_.composite_states) definitions += "\n" + CompositeStateText(item.state);
     for (const SeedModel& item : seed_.models) definitions += "\n" + ModelText(item);
     if (!seed_.facts.empty() && !text.empty()) definitions += "\n";
-    writer_.variables.clear();
+    writer_.Begin({});
     for (const SeedFact& item : seed_.facts) definitions += FactText(item);
     if (writer_.error()) return *writer_.error();
     return text + definitions;
@@ -205,14 +214,15 @@ class SeedWriter {
 
   void NameVariables(const std::vector<std::string>& names) {
     std::set<std::string> used;
-    writer_.variables.clear();
+    std::vector<std::string> chosen;
     for (std::size_t i = 0; i < names.size(); ++i) {
       const bool usable = IsPlainName(names[i]) && !taken_.contains(names[i]) && !used.contains(names[i]);
       std::string name = usable ? names[i] : "v" + std::to_string(i);
       while (taken_.contains(name) || used.contains(name)) name += "_";
       used.insert(name);
-      writer_.variables.push_back(std::move(name));
+      chosen.push_back(std::move(name));
     }
+    writer_.Begin(std::move(chosen));
   }
 
   std::string CompositeStateText(const CompositeState& state) {
