@@ -23,14 +23,18 @@ class Renumbering {
   std::vector<int> order_;
 };
 
-// How many tied arrangements of components are tried before the first one found is taken. Ties need interchangeable
-// components; 6 of them give 720.
-constexpr int kMaxArrangements = 5000;
+// Interchangeable components tie, and each of their arrangements is tried: 6 of them give 720.
+constexpr int kMaxArrangements = 720;
+// The text that may be encoded in search of the smallest form; far more than any learned definition needs.
+constexpr std::int64_t kMaxEncodedBytes = 1 << 20;
+// Combinations of symmetric orders of referenced definitions that are tried.
+constexpr int kMaxCombinations = 1000;
+constexpr std::size_t kMaxSymmetricOrders = 720;
 
 // The position, in canonical order, of each entry of an argument list whose entries stand for `listed` variables.
-std::vector<std::size_t> CanonicalPositions(const std::vector<int>& listed, const Canonical& canonical) {
+std::vector<std::size_t> CanonicalPositions(const std::vector<int>& listed, const std::vector<int>& canonical_order) {
   std::vector<std::size_t> positions;
-  for (const int variable : canonical.variables) {
+  for (const int variable : canonical_order) {
     const auto it = std::find(listed.begin(), listed.end(), variable);
     if (it != listed.end()) positions.push_back(static_cast<std::size_t>(it - listed.begin()));
   }
@@ -44,31 +48,75 @@ Term Permuted(const Term& list, const std::vector<std::size_t>& positions) {
   return Term::Set(std::move(items));
 }
 
+// Which of the equivalent orders of its arguments each reference uses, reference by reference in order of reading. All
+// combinations are gone through like the digits of a counter; how many values a digit has shows while reading.
+class Combination {
+ public:
+  // The order for the next reference, one of `orders`.
+  std::size_t Next(std::size_t orders) {
+    if (at_ == digits_.size()) {
+      digits_.push_back(0);
+      limits_.push_back(orders);
+    }
+    return digits_[at_++];
+  }
+  // To the next combination; false after the last.
+  bool Advance() {
+    at_ = 0;
+    for (std::size_t i = digits_.size(); i-- > 0;) {
+      if (++digits_[i] < limits_[i]) return true;
+      digits_[i] = 0;
+    }
+    return false;
+  }
+
+ private:
+  std::size_t at_ = 0;
+  std::vector<std::size_t> digits_;
+  std::vector<std::size_t> limits_;
+};
+
 // Replaces references by hashes and argument lists by their canonical order; variables are left alone.
-Term WithoutReferences(const Term& term, const CanonicalOf& canonical_of, const Definitions& definitions) {
-  const auto name_of = [&](const Term& reference) {
-    const Canonical* canonical = canonical_of(reference);
+class ReferenceReplacer {
+ public:
+  ReferenceReplacer(const CanonicalOf& canonical_of, const Definitions& definitions, Combination* combination)
+      : canonical_of_(canonical_of), definitions_(definitions), combination_(combination) {}
+
+  Term operator()(const Term& term) const {
+    return Rewritten(term, [&](const Term& part) -> std::optional<Term> {
+      if (part.is(TermKind::kCompositeState) || part.is(TermKind::kModel)) return NameOf(part);
+      if (IsIcst(part) && part[0].is(TermKind::kCompositeState)) {
+        const CompositeState* state = definitions_.composite_state(part[0].composite_state());
+        return Instance(part, state ? ArgumentVariables(*state) : std::vector<int>());
+      }
+      if (IsImdl(part) && part[0].is(TermKind::kModel)) {
+        const Model* model = definitions_.model(part[0].model());
+        return Instance(part, model ? ExposedVariables(*model) : std::vector<int>());
+      }
+      return std::nullopt;
+    });
+  }
+
+ private:
+  Term NameOf(const Term& reference) const {
+    const Canonical* canonical = canonical_of_(reference);
     return Term::String(canonical ? ToText(canonical->hash) : "?");
-  };
-  return Rewritten(term, [&](const Term& part) -> std::optional<Term> {
-    if (part.is(TermKind::kCompositeState) || part.is(TermKind::kModel)) return name_of(part);
-    if (IsIcst(part) && part[0].is(TermKind::kCompositeState)) {
-      const CompositeState* state = definitions.composite_state(part[0].composite_state());
-      const Canonical* canonical = canonical_of(part[0]);
-      Term arguments = part[2];
-      if (state && canonical) arguments = Permuted(arguments, CanonicalPositions(ArgumentVariables(*state), *canonical));
-      return Term::Struct("icst", {name_of(part[0]), part[1], arguments});
+  }
+
+  Term Instance(const Term& instance, const std::vector<int>& listed) const {
+    Term arguments = instance[2];
+    if (const Canonical* canonical = canonical_of_(instance[0])) {
+      const std::size_t order = combination_->Next(1 + canonical->symmetric_variables.size());
+      const auto& variables = order == 0 ? canonical->variables : canonical->symmetric_variables[order - 1];
+      arguments = Permuted(arguments, CanonicalPositions(listed, variables));
     }
-    if (IsImdl(part) && part[0].is(TermKind::kModel)) {
-      const Model* model = definitions.model(part[0].model());
-      const Canonical* canonical = canonical_of(part[0]);
-      Term exposed = part[2];
-      if (model && canonical) exposed = Permuted(exposed, CanonicalPositions(ExposedVariables(*model), *canonical));
-      return Term::Struct("imdl", {name_of(part[0]), part[1], exposed});
-    }
-    return std::nullopt;
-  });
-}
+    return Term::Struct(instance.name(), {NameOf(instance[0]), instance[1], std::move(arguments)});
+  }
+
+  const CanonicalOf& canonical_of_;
+  const Definitions& definitions_;
+  Combination* combination_;
+};
 
 Term Renumbered(const Term& term, Renumbering& renumbering) {
   return Rewritten(term, [&](const Term& part) -> std::optional<Term> {
@@ -82,93 +130,155 @@ Term GuardTerm(const Guard& guard) {
 }
 
 // Finds the arrangement of components with the smallest text: at each step the components whose text under the
-// numbering so far is smallest are candidates; ties are all tried.
+// numbering so far is smallest are candidates; ties are all tried. The guards' text decides between equal arrangements.
 class Arranger {
  public:
-  explicit Arranger(std::vector<Term> components) : components_(std::move(components)) {}
+  // `encoded_bytes` counts the work done so far for this definition.
+  Arranger(const std::vector<Term>& components, const std::vector<Term>& guards, std::int64_t* encoded_bytes)
+      : components_(components), guards_(guards), encoded_bytes_(encoded_bytes) {}
 
   struct Arrangement {
-    std::vector<std::string> texts;
+    std::vector<std::string> texts;  // of the components in order, and in the end of the guards
     std::vector<int> order;
     Renumbering renumbering;
   };
 
-  Arrangement Smallest() {
+  // All arrangements with the smallest text, in the order found; at least one.
+  std::vector<Arrangement> Smallest() {
     Arrange({}, std::vector<bool>(components_.size()));
-    return std::move(*best_);
+    return std::move(best_);
   }
 
  private:
   void Arrange(Arrangement so_far, std::vector<bool> used) {
-    if (so_far.order.size() == components_.size()) {
-      ++tried_;
-      if (!best_ || so_far.texts < best_->texts) best_ = std::move(so_far);
-      return;
-    }
+    if (tried_ >= kMaxArrangements || (Exhausted() && !best_.empty())) return;
+    if (Exhausted()) AddTheRest(&so_far, used);
+    if (so_far.order.size() == components_.size()) return Compare(std::move(so_far));
     std::string smallest;
-    std::vector<std::pair<std::size_t, Renumbering>> candidates;
-    for (std::size_t i = 0; i < components_.size(); ++i) {
-      if (used[i]) continue;
-      Renumbering renumbering = so_far.renumbering;
-      std::string text = Encode(Renumbered(components_[i], renumbering));
-      if (candidates.empty() || text < smallest) {
-        candidates.clear();
-        smallest = text;
-      }
-      if (text == smallest) candidates.emplace_back(i, std::move(renumbering));
-    }
-    for (auto& [i, renumbering] : candidates) {
+    for (const std::size_t i : Candidates(so_far, used, &smallest)) {
       Arrangement next = so_far;
+      Encoded(components_[i], &next.renumbering);
       next.texts.push_back(smallest);
       next.order.push_back(static_cast<int>(i));
-      next.renumbering = std::move(renumbering);
       std::vector<bool> next_used = used;
       next_used[i] = true;
       Arrange(std::move(next), std::move(next_used));
-      if (tried_ >= kMaxArrangements) return;
     }
   }
 
-  std::vector<Term> components_;
-  std::optional<Arrangement> best_;
+  // The unused components with the smallest text, equal ones once.
+  std::vector<std::size_t> Candidates(const Arrangement& so_far, const std::vector<bool>& used, std::string* smallest) {
+    std::vector<std::size_t> candidates;
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      if (used[i]) continue;
+      Renumbering renumbering = so_far.renumbering;
+      std::string text = Encoded(components_[i], &renumbering);
+      if (candidates.empty() || text < *smallest) {
+        candidates.clear();
+        *smallest = std::move(text);
+      } else if (text != *smallest) {
+        continue;
+      }
+      const bool known = std::any_of(candidates.begin(), candidates.end(),
+                                     [&](std::size_t k) { return components_[k] == components_[i]; });
+      if (!known) candidates.push_back(i);
+    }
+    return candidates;
+  }
+
+  // Beyond the bound: what is left in the order of each component's own text.
+  void AddTheRest(Arrangement* arrangement, const std::vector<bool>& used) {
+    std::vector<std::pair<std::string, std::size_t>> rest;
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      if (used[i]) continue;
+      Renumbering own;
+      rest.emplace_back(Encoded(components_[i], &own), i);
+    }
+    std::sort(rest.begin(), rest.end());
+    for (const auto& [text, i] : rest) {
+      arrangement->texts.push_back(Encoded(components_[i], &arrangement->renumbering));
+      arrangement->order.push_back(static_cast<int>(i));
+    }
+  }
+
+  void Compare(Arrangement arrangement) {
+    ++tried_;
+    for (const Term& guard : guards_) arrangement.texts.push_back(Encoded(guard, &arrangement.renumbering));
+    if (!best_.empty() && best_[0].texts < arrangement.texts) return;
+    if (!best_.empty() && arrangement.texts < best_[0].texts) best_.clear();
+    best_.push_back(std::move(arrangement));
+  }
+
+  std::string Encoded(const Term& term, Renumbering* renumbering) {
+    std::string text = Encode(Renumbered(term, *renumbering));
+    *encoded_bytes_ += static_cast<std::int64_t>(text.size());
+    return text;
+  }
+  bool Exhausted() const { return *encoded_bytes_ > kMaxEncodedBytes; }
+
+  const std::vector<Term>& components_;
+  const std::vector<Term>& guards_;
+  std::vector<Arrangement> best_;
   int tried_ = 0;
+  std::int64_t* encoded_bytes_;
 };
 
 Canonical Finish(const Term& definition, std::vector<int> variables) {
   Canonical canonical;
   canonical.text = Encode(definition);
-  canonical.hash = HashOf(canonical.text);
   canonical.variables = std::move(variables);
   return canonical;
 }
 
-}  // namespace
+void AddSymmetricOrder(const std::vector<int>& variables, Canonical* canonical) {
+  auto& known = canonical->symmetric_variables;
+  if (variables == canonical->variables || known.size() >= kMaxSymmetricOrders) return;
+  if (std::find(known.begin(), known.end(), variables) == known.end()) known.push_back(variables);
+}
 
-Canonical Canonicalise(const CompositeState& state, const CanonicalOf& canonical_of, const Definitions& definitions) {
+// The smallest of the forms that build(combination) gives; forms with the same text are symmetric.
+template <class Build>
+Canonical SmallestForm(Build&& build) {
+  Combination combination;
+  std::int64_t encoded_bytes = 0;
+  Canonical best = build(&combination, &encoded_bytes);
+  for (int tried = 1; tried < kMaxCombinations && combination.Advance(); ++tried) {
+    encoded_bytes += static_cast<std::int64_t>(best.text.size());
+    if (encoded_bytes > kMaxEncodedBytes) break;
+    Canonical other = build(&combination, &encoded_bytes);
+    if (other.text < best.text) {
+      best = std::move(other);
+    } else if (other.text == best.text) {
+      AddSymmetricOrder(other.variables, &best);
+      for (const std::vector<int>& variables : other.symmetric_variables) AddSymmetricOrder(variables, &best);
+    }
+  }
+  best.hash = HashOf(best.text);
+  return best;
+}
+
+Canonical FormOf(const CompositeState& state, const ReferenceReplacer& without_references,
+                 std::int64_t* encoded_bytes) {
   std::vector<Term> components;
-  for (const FactPattern& component : state.components) {
-    components.push_back(WithoutReferences(ToTerm(component), canonical_of, definitions));
-  }
-  Arranger::Arrangement arrangement = Arranger(components).Smallest();
-  std::vector<Term> parts;
-  for (const int i : arrangement.order) {
-    parts.push_back(Renumbered(components[static_cast<std::size_t>(i)], arrangement.renumbering));
-  }
   std::vector<Term> guards;
-  for (const Guard& guard : state.guards) {
-    guards.push_back(Renumbered(WithoutReferences(GuardTerm(guard), canonical_of, definitions), arrangement.renumbering));
-  }
-  Canonical canonical = Finish(Term::Struct("cst", {Term::Set(std::move(parts)), Term::Set(std::move(guards))}),
-                               arrangement.renumbering.order());
-  canonical.components = std::move(arrangement.order);
+  for (const FactPattern& component : state.components) components.push_back(without_references(ToTerm(component)));
+  for (const Guard& guard : state.guards) guards.push_back(without_references(GuardTerm(guard)));
+  std::vector<Arranger::Arrangement> arrangements = Arranger(components, guards, encoded_bytes).Smallest();
+  Arranger::Arrangement& first = arrangements[0];
+  std::vector<Term> parts;
+  std::vector<Term> tests;
+  for (const int i : first.order) parts.push_back(Renumbered(components[static_cast<std::size_t>(i)], first.renumbering));
+  for (const Term& guard : guards) tests.push_back(Renumbered(guard, first.renumbering));
+  Canonical canonical = Finish(Term::Struct("cst", {Term::Set(std::move(parts)), Term::Set(std::move(tests))}),
+                               first.renumbering.order());
+  canonical.components = std::move(first.order);
+  for (const Arranger::Arrangement& other : arrangements) AddSymmetricOrder(other.renumbering.order(), &canonical);
   return canonical;
 }
 
-Canonical Canonicalise(const Model& model, const CanonicalOf& canonical_of, const Definitions& definitions) {
+Canonical FormOf(const Model& model, const ReferenceReplacer& without_references) {
   Renumbering renumbering;
-  const auto part = [&](const Term& term) {
-    return Renumbered(WithoutReferences(term, canonical_of, definitions), renumbering);
-  };
+  const auto part = [&](const Term& term) { return Renumbered(without_references(term), renumbering); };
   const auto guards = [&](const std::vector<Guard>& list) {
     std::vector<Term> terms;
     for (const Guard& guard : list) terms.push_back(part(GuardTerm(guard)));
@@ -183,6 +293,20 @@ Canonical Canonicalise(const Model& model, const CanonicalOf& canonical_of, cons
   return Finish(Term::Struct("mdl", {std::move(template_arguments), std::move(lhs), std::move(rhs),
                                      std::move(forward), std::move(backward)}),
                 renumbering.order());
+}
+
+}  // namespace
+
+Canonical Canonicalise(const CompositeState& state, const CanonicalOf& canonical_of, const Definitions& definitions) {
+  return SmallestForm([&](Combination* combination, std::int64_t* encoded_bytes) {
+    return FormOf(state, ReferenceReplacer(canonical_of, definitions, combination), encoded_bytes);
+  });
+}
+
+Canonical Canonicalise(const Model& model, const CanonicalOf& canonical_of, const Definitions& definitions) {
+  return SmallestForm([&](Combination* combination, std::int64_t*) {
+    return FormOf(model, ReferenceReplacer(canonical_of, definitions, combination));
+  });
 }
 
 }  // namespace aerascope

@@ -21,6 +21,8 @@ struct Canonical {
   Hash128 hash;                   // of the text
   std::vector<int> variables;     // canonical number -> the definition's own variable number
   std::vector<int> components;    // of a composite state: canonical position -> position in the definition
+  // Other orders of the variables with the same text, where parts are interchangeable: (x large) and (y large).
+  std::vector<std::vector<int>> symmetric_variables;
 };
 
 // The canonical form of a referenced composite state or model (a kCompositeState or kModel term); null if unknown.
@@ -31,6 +33,8 @@ struct Definitions {
   std::function<const Model*(ModelId)> model;
 };
 
+// The work is bounded: a definition with more than six interchangeable components, or thousands of components, is still
+// given a form, but that may depend on their order.
 // A reference that is unknown is written "?" and hashes as that.
 Canonical Canonicalise(const CompositeState& state, const CanonicalOf& canonical_of, const Definitions& definitions);
 Canonical Canonicalise(const Model& model, const CanonicalOf& canonical_of, const Definitions& definitions);

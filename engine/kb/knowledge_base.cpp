@@ -85,8 +85,16 @@ void KnowledgeBase::AddModel(ModelRecord record) {
   record.canonical = CanonicalOf(record.model);
   model_by_content_.try_emplace(record.canonical.hash, record.model.id);
   const ModelId id = record.model.id;
-  if (IsRequirement(record.model)) requirements_[TargetModel(record.model)].push_back(id);
   models_.insert_or_assign(id, std::move(record));
+  IndexRequirement(id);
+}
+
+void KnowledgeBase::IndexRequirement(ModelId id) {
+  const ModelRecord& record = models_.at(id);
+  if (!IsRequirement(record.model)) return;
+  std::vector<ModelId>& known = requirements_[TargetModel(record.model)];
+  std::erase(known, id);
+  if (record.state != ModelState::kDeleted) known.insert(std::lower_bound(known.begin(), known.end(), id), id);
 }
 
 void KnowledgeBase::SetEvidence(ModelId id, Evidence evidence, bool strong) {
@@ -100,9 +108,7 @@ void KnowledgeBase::SetState(ModelId id, ModelState state) {
   const auto it = models_.find(id);
   if (it == models_.end()) return;
   it->second.state = state;
-  if (state == ModelState::kDeleted && IsRequirement(it->second.model)) {
-    std::erase(requirements_[TargetModel(it->second.model)], id);
-  }
+  IndexRequirement(id);
 }
 
 void KnowledgeBase::OpenGoal(GoalRecord record) { goals_.insert_or_assign(record.id, std::move(record)); }

@@ -117,6 +117,7 @@ class KnowledgeBase {
   void ClosePrediction(PredictionId id);
 
  private:
+  void IndexRequirement(ModelId id);  // keeps requirements_ in order of id, without deleted ones
   Definitions DefinitionsHere() const;
   aerascope::CanonicalOf CanonicalLookup() const;
 
