@@ -1,4 +1,5 @@
-// Pictures as files in memory. Equal pictures and settings give equal bytes; no time and no program name is inside.
+// Pictures as files in memory. Equal pictures and settings give equal bytes; no time and no program name is
+// inside.
 #pragma once
 
 #include <functional>
@@ -12,7 +13,8 @@ namespace aerascope {
 // An image as the bytes of a file. Called from one thread at a time, not always the same one.
 using Encoder = std::function<Result<std::string>(const Image&)>;
 
-// Exact pixels. Rendered pictures, being smooth in colour and flat in places, pack best and fastest without PNG's filters.
+// Exact pixels. Rendered pictures, being smooth in colour and flat in places, pack best and fastest without
+// PNG's filters.
 Result<std::string> EncodePng(const Image& image);
 
 struct WebpOptions {

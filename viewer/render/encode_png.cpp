@@ -33,11 +33,13 @@ bool Write(png_structp png, png_infop info, const Image& image) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_compression_level(png, kCompressionLevel);
   png_set_filter(png, 0, PNG_FILTER_NONE);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.size.width), static_cast<png_uint_32>(image.size.height), 8,
-               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.size.width),
+               static_cast<png_uint_32>(image.size.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_write_info(png, info);
   for (int y = 0; y < image.size.height; ++y) {
-    png_write_row(png, image.rgb.data() + 3 * static_cast<std::size_t>(image.size.width) * static_cast<std::size_t>(y));
+    png_write_row(
+        png, image.rgb.data() + 3 * static_cast<std::size_t>(image.size.width) * static_cast<std::size_t>(y));
   }
   png_write_end(png, info);
   return true;

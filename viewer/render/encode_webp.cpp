@@ -11,7 +11,9 @@ struct PictureFree {
   void operator()(WebPPicture* picture) const { WebPPictureFree(picture); }
 };
 
-Error Failed(const std::string& why) { return {"a picture cannot be written as WebP: " + why}; }
+Error Failed(const std::string& why) {
+  return {"a picture cannot be written as WebP: " + why};
+}
 
 }  // namespace
 
@@ -37,8 +39,8 @@ Result<std::string> EncodeWebp(const Image& image, const WebpOptions& options) {
     static_cast<std::string*>(of->custom_ptr)->append(reinterpret_cast<const char*>(data), size);
     return 1;
   };
-  const bool encoded =
-      WebPPictureImportRGB(&picture, image.rgb.data(), 3 * image.size.width) != 0 && WebPEncode(&config, &picture) != 0;
+  const bool encoded = WebPPictureImportRGB(&picture, image.rgb.data(), 3 * image.size.width) != 0 &&
+                       WebPEncode(&config, &picture) != 0;
   if (!encoded) return Failed("error " + std::to_string(picture.error_code) + " of libwebp");
   return bytes;
 }

@@ -98,7 +98,11 @@ FrameWriter::FrameWriter(Encoder encoder, Sink sink)
     : queue_(std::make_unique<Queue>(std::move(encoder), std::move(sink))) {}
 FrameWriter::~FrameWriter() = default;
 
-std::size_t FrameWriter::Add(Image image) { return queue_->Add(std::move(image)); }
-Status FrameWriter::Finish() { return queue_->Finish(); }
+std::size_t FrameWriter::Add(Image image) {
+  return queue_->Add(std::move(image));
+}
+Status FrameWriter::Finish() {
+  return queue_->Finish();
+}
 
 }  // namespace aerascope

@@ -19,22 +19,33 @@ using GetString = const unsigned char* (*)(unsigned name);
 
 std::string EglTrouble() {
   switch (eglGetError()) {
-    case EGL_SUCCESS: return "no reason given";
-    case EGL_NOT_INITIALIZED: return "EGL_NOT_INITIALIZED, no driver starts";
-    case EGL_BAD_PARAMETER: return "EGL_BAD_PARAMETER, not supported";
-    case EGL_BAD_ALLOC: return "EGL_BAD_ALLOC, out of memory";
-    case EGL_BAD_MATCH: return "EGL_BAD_MATCH";
-    case EGL_BAD_ATTRIBUTE: return "EGL_BAD_ATTRIBUTE";
-    case EGL_BAD_CONFIG: return "EGL_BAD_CONFIG";
-    case EGL_BAD_CONTEXT: return "EGL_BAD_CONTEXT";
-    case EGL_BAD_DISPLAY: return "EGL_BAD_DISPLAY";
-    default: return "unknown error";
+    case EGL_SUCCESS:
+      return "no reason given";
+    case EGL_NOT_INITIALIZED:
+      return "EGL_NOT_INITIALIZED, no driver starts";
+    case EGL_BAD_PARAMETER:
+      return "EGL_BAD_PARAMETER, not supported";
+    case EGL_BAD_ALLOC:
+      return "EGL_BAD_ALLOC, out of memory";
+    case EGL_BAD_MATCH:
+      return "EGL_BAD_MATCH";
+    case EGL_BAD_ATTRIBUTE:
+      return "EGL_BAD_ATTRIBUTE";
+    case EGL_BAD_CONFIG:
+      return "EGL_BAD_CONFIG";
+    case EGL_BAD_CONTEXT:
+      return "EGL_BAD_CONTEXT";
+    case EGL_BAD_DISPLAY:
+      return "EGL_BAD_DISPLAY";
+    default:
+      return "unknown error";
   }
 }
 
 bool HasExtension(EGLDisplay display, const char* name) {
   const char* list = eglQueryString(display, EGL_EXTENSIONS);
-  return list != nullptr && (" " + std::string(list) + " ").find(" " + std::string(name) + " ") != std::string::npos;
+  return list != nullptr &&
+         (" " + std::string(list) + " ").find(" " + std::string(name) + " ") != std::string::npos;
 }
 
 template <class Function>
@@ -67,9 +78,17 @@ class EglContext : public GlContext {
   std::string Start() {
     if (!eglInitialize(display_, nullptr, nullptr)) return EglTrouble();
     if (!eglBindAPI(EGL_OPENGL_API)) return "desktop OpenGL is not supported, " + EglTrouble();
-    const std::array<EGLint, 11> wanted{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-                                        EGL_RED_SIZE,     8,               EGL_GREEN_SIZE,      8,
-                                        EGL_BLUE_SIZE,    8,               EGL_NONE};
+    const std::array<EGLint, 11> wanted{EGL_SURFACE_TYPE,
+                                        EGL_PBUFFER_BIT,
+                                        EGL_RENDERABLE_TYPE,
+                                        EGL_OPENGL_BIT,
+                                        EGL_RED_SIZE,
+                                        8,
+                                        EGL_GREEN_SIZE,
+                                        8,
+                                        EGL_BLUE_SIZE,
+                                        8,
+                                        EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display_, wanted.data(), &config, 1, &count)) return EglTrouble();
@@ -112,7 +131,8 @@ class Search {
       attempts_.push_back({"EGL", "no driver for any platform is installed"});
       return nullptr;
     }
-    if (auto context = Try("surfaceless", get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr))) {
+    if (auto context =
+            Try("surfaceless", get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr))) {
       return context;
     }
     for (EGLDeviceEXT device : Devices()) {
@@ -144,7 +164,8 @@ class Search {
     std::array<EGLDeviceEXT, 16> devices{};
     EGLint count = 0;
     const auto query = FunctionNamed<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
-    if (query == nullptr || !query(static_cast<EGLint>(devices.size()), devices.data(), &count) || count < 1) {
+    if (query == nullptr || !query(static_cast<EGLint>(devices.size()), devices.data(), &count) ||
+        count < 1) {
       attempts_.push_back({"device", "none found"});
       return {};
     }
@@ -157,8 +178,8 @@ class Search {
 }  // namespace
 
 Result<std::unique_ptr<GlContext>> GlContext::Create() {
-  // What goes wrong comes back as a sentence; the libraries' own messages on standard error would only repeat it. A cache
-  // of shaders in the user's home is not worth the files.
+  // What goes wrong comes back as a sentence; the libraries' own messages on standard error would only repeat
+  // it. A cache of shaders in the user's home is not worth the files.
   setenv("EGL_LOG_LEVEL", "fatal", 0);
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
   Search search;

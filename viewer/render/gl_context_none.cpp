@@ -4,7 +4,8 @@ namespace aerascope {
 
 Result<std::unique_ptr<GlContext>> GlContext::Create() {
   return Error{
-      "frames cannot be drawn: this program was built without EGL; install the packages libegl-dev and libgl1-mesa-dri "
+      "frames cannot be drawn: this program was built without EGL; install the packages libegl-dev and "
+      "libgl1-mesa-dri "
       "and build again"};
 }
 

@@ -22,8 +22,8 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-// For each pixel, rows from top to bottom, the number of the model's geom that is seen there; -1 for background and for
-// shapes that are no geoms.
+// For each pixel, rows from top to bottom, the number of the model's geom that is seen there; -1 for
+// background and for shapes that are no geoms.
 struct SegmentImage {
   PictureSize size;
   std::vector<std::int32_t> geom;

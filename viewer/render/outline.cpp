@@ -11,13 +11,18 @@
 namespace aerascope {
 namespace {
 
-// ---------------------------------------------------------------------------------------------- following a border
+// ---------------------------------------------------------------------------------------------- following a
+// border
 
 // Which pixels are the object, within the box around it.
 class Mask {
  public:
   Mask(int left, int top, int width, int height)
-      : left_(left), top_(top), width_(width), height_(height), inside_(static_cast<std::size_t>(width * height), 0) {}
+      : left_(left),
+        top_(top),
+        width_(width),
+        height_(height),
+        inside_(static_cast<std::size_t>(width * height), 0) {}
 
   int left() const { return left_; }
   int top() const { return top_; }
@@ -25,10 +30,14 @@ class Mask {
   int height() const { return height_; }
 
   void Set(int x, int y) { inside_[Index(x, y)] = 1; }
-  bool Inside(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_ && inside_[Index(x, y)] != 0; }
+  bool Inside(int x, int y) const {
+    return x >= 0 && y >= 0 && x < width_ && y < height_ && inside_[Index(x, y)] != 0;
+  }
 
  private:
-  std::size_t Index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x); }
+  std::size_t Index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
 
   int left_, top_, width_, height_;
   std::vector<std::uint8_t> inside_;
@@ -43,12 +52,16 @@ constexpr std::array<Step, 4> kSteps{Step{1, 0}, Step{0, 1}, Step{-1, 0}, Step{0
 // The pixels ahead of corner (x, y), to the right and to the left of someone who walks in this direction.
 bool AheadRight(const Mask& mask, int x, int y, int direction) {
   static constexpr std::array<Step, 4> kPixel{Step{0, 0}, Step{-1, 0}, Step{-1, -1}, Step{0, -1}};
-  return mask.Inside(x + kPixel[static_cast<std::size_t>(direction)].dx, y + kPixel[static_cast<std::size_t>(direction)].dy);
+  return mask.Inside(x + kPixel[static_cast<std::size_t>(direction)].dx,
+                     y + kPixel[static_cast<std::size_t>(direction)].dy);
 }
-bool AheadLeft(const Mask& mask, int x, int y, int direction) { return AheadRight(mask, x, y, (direction + 3) % 4); }
+bool AheadLeft(const Mask& mask, int x, int y, int direction) {
+  return AheadRight(mask, x, y, (direction + 3) % 4);
+}
 
-// Walks along the border with the object on the right, from the corner (x, y) to the right, and notes the middle of each
-// pixel edge passed: slanted borders come out straight that way. `seen` marks the edges passed from left to right.
+// Walks along the border with the object on the right, from the corner (x, y) to the right, and notes the
+// middle of each pixel edge passed: slanted borders come out straight that way. `seen` marks the edges passed
+// from left to right.
 Ring Follow(const Mask& mask, int x, int y, std::vector<std::uint8_t>& seen) {
   Ring ring;
   const int start_x = x, start_y = y;
@@ -74,13 +87,15 @@ std::vector<Ring> Borders(const Mask& mask) {
   for (int y = 0; y < mask.height(); ++y) {
     for (int x = 0; x < mask.width(); ++x) {
       const bool upper_border = mask.Inside(x, y) && !mask.Inside(x, y - 1);
-      if (upper_border && !seen[static_cast<std::size_t>(y * mask.width() + x)]) rings.push_back(Follow(mask, x, y, seen));
+      if (upper_border && !seen[static_cast<std::size_t>(y * mask.width() + x)])
+        rings.push_back(Follow(mask, x, y, seen));
     }
   }
   return rings;
 }
 
-// ------------------------------------------------------------------------------------------------------- polygons
+// -------------------------------------------------------------------------------------------------------
+// polygons
 
 // Positive for outer borders.
 double SignedArea(const Ring& ring) {
@@ -93,7 +108,9 @@ double SignedArea(const Ring& ring) {
   return twice / 2;
 }
 
-double Distance(PixelPoint a, PixelPoint b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double Distance(PixelPoint a, PixelPoint b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
 
 double DistanceToSegment(PixelPoint point, PixelPoint a, PixelPoint b) {
   const double length = Distance(a, b);
@@ -103,9 +120,10 @@ double DistanceToSegment(PixelPoint point, PixelPoint a, PixelPoint b) {
   return Distance(point, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
 }
 
-// Douglas and Peucker's method on points[first..last]: keeps the point farthest from the straight line while it is
-// farther than the tolerance, and looks again at both parts.
-void KeepCorners(const Ring& points, std::size_t first, std::size_t last, double tolerance, std::vector<bool>& keep) {
+// Douglas and Peucker's method on points[first..last]: keeps the point farthest from the straight line while
+// it is farther than the tolerance, and looks again at both parts.
+void KeepCorners(const Ring& points, std::size_t first, std::size_t last, double tolerance,
+                 std::vector<bool>& keep) {
   std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
   while (!open.empty()) {
     const auto [begin, end] = open.back();
@@ -146,7 +164,8 @@ Ring Simplified(const Ring& ring, double tolerance) {
 }
 
 std::vector<Ring> LargeSimpleRings(std::vector<Ring> rings, const OutlineOptions& options) {
-  std::erase_if(rings, [&](const Ring& ring) { return std::abs(SignedArea(ring)) < options.smallest_area_px; });
+  std::erase_if(rings,
+                [&](const Ring& ring) { return std::abs(SignedArea(ring)) < options.smallest_area_px; });
   std::stable_sort(rings.begin(), rings.end(), [](const Ring& a, const Ring& b) {
     return std::abs(SignedArea(a)) > std::abs(SignedArea(b));
   });
@@ -155,7 +174,8 @@ std::vector<Ring> LargeSimpleRings(std::vector<Ring> rings, const OutlineOptions
   return rings;
 }
 
-// ------------------------------------------------------------------------------------------------- pixels of entities
+// ------------------------------------------------------------------------------------------------- pixels of
+// entities
 
 // The box around the pixels of one entity.
 struct Extent {
@@ -186,7 +206,8 @@ void ForEachEntityPixel(const SegmentImage& segments, const SceneModel& model, V
 
 }  // namespace
 
-std::vector<Outline> TraceOutlines(const SegmentImage& segments, const SceneModel& model, const OutlineOptions& options) {
+std::vector<Outline> TraceOutlines(const SegmentImage& segments, const SceneModel& model,
+                                   const OutlineOptions& options) {
   std::vector<Extent> extents(model.entities().size());
   ForEachEntityPixel(segments, model, [&](std::size_t entity, int x, int y) { extents[entity].Add(x, y); });
   std::vector<Mask> masks;
@@ -216,7 +237,8 @@ std::string SvgPath(const std::vector<Ring>& rings) {
   const auto text = [](double pixels) { return FormatNumber(std::round(pixels * 10) / 10); };
   std::string path;
   for (const Ring& ring : rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) path += (i == 0 ? "M" : "L") + text(ring[i].x) + " " + text(ring[i].y);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      path += (i == 0 ? "M" : "L") + text(ring[i].x) + " " + text(ring[i].y);
     path += "Z";
   }
   return path;

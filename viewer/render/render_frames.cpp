@@ -6,7 +6,8 @@
 
 namespace aerascope {
 
-Result<RenderedFrames> RenderFrames(Renderer& renderer, Scene& scene, std::span<const WorldStateRecorded* const> states,
+Result<RenderedFrames> RenderFrames(Renderer& renderer, Scene& scene,
+                                    std::span<const WorldStateRecorded* const> states,
                                     const FrameOptions& options) {
   RenderedFrames frames;
   FrameWriter writer(options.encoder, [&frames](std::size_t, std::string bytes) {

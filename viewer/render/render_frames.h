@@ -28,7 +28,8 @@ struct RenderedFrames {
 };
 
 // Draws the states in order while a second thread encodes. The same input gives the same bytes.
-Result<RenderedFrames> RenderFrames(Renderer& renderer, Scene& scene, std::span<const WorldStateRecorded* const> states,
+Result<RenderedFrames> RenderFrames(Renderer& renderer, Scene& scene,
+                                    std::span<const WorldStateRecorded* const> states,
                                     const FrameOptions& options);
 
 }  // namespace aerascope

@@ -22,14 +22,17 @@ constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
 // MuJoCo finds OpenGL's functions through global tables, so that two contexts would disturb each other.
 std::atomic<bool> renderer_exists{false};
 
-std::string SizeText(PictureSize size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+std::string SizeText(PictureSize size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
 
 Status CheckSize(PictureSize size) {
-  const bool possible = size.width >= 1 && size.height >= 1 && size.width <= kLongestSide && size.height <= kLongestSide &&
-                        std::int64_t{size.width} * size.height <= kMostPixels;
+  const bool possible = size.width >= 1 && size.height >= 1 && size.width <= kLongestSide &&
+                        size.height <= kLongestSide && std::int64_t{size.width} * size.height <= kMostPixels;
   if (possible) return Ok();
   return Error{"a picture of " + SizeText(size) + " pixels cannot be drawn: expected sides of 1 to " +
-               std::to_string(kLongestSide) + " pixels and at most " + std::to_string(kMostPixels) + " pixels in all"};
+               std::to_string(kLongestSide) + " pixels and at most " + std::to_string(kMostPixels) +
+               " pixels in all"};
 }
 
 bool DrawsInSoftware(const std::string& driver) {
@@ -51,7 +54,8 @@ void TurnOver(Image& image) {
 
 }  // namespace
 
-// ------------------------------------------------------------------------------------ what is on the graphics side
+// ------------------------------------------------------------------------------------ what is on the
+// graphics side
 
 class Renderer::Content {
  public:
@@ -92,12 +96,15 @@ class Renderer::Content {
       scene.flags[mjRND_REFLECTION] = task.quality.reflections;
       scene.flags[mjRND_SEGMENT] = task.segments;
       scene.flags[mjRND_IDCOLOR] = task.segments;
+      mjr_setBuffer(mjFB_OFFSCREEN, &context_);
       mjr_render(viewport, &scene, &context_);
-      const auto pixels = static_cast<std::size_t>(task.size.width) * static_cast<std::size_t>(task.size.height);
+      const auto pixels =
+          static_cast<std::size_t>(task.size.width) * static_cast<std::size_t>(task.size.height);
       Image image{task.size, std::vector<std::uint8_t>(3 * pixels)};
       mjr_readPixels(image.rgb.data(), nullptr, viewport, &context_);
       if (const int trouble = mjr_getError(); trouble != 0) {
-        return Error{"the frame cannot be drawn: OpenGL reports error " + std::to_string(trouble) + " on " + info_.driver};
+        return Error{"the frame cannot be drawn: OpenGL reports error " + std::to_string(trouble) + " on " +
+                     info_.driver};
       }
       TurnOver(image);
       return image;
@@ -115,22 +122,24 @@ class Renderer::Content {
     if (fits) return Ok();
     if (samples < 0 || samples > 16 || shadow_size < 0 || shadow_size > kLongestSide) {
       return Error{"the frame cannot be drawn: expected 0 to 16 samples and a shadow map of 0 to " +
-                   std::to_string(kLongestSide) + " pixels a side, found " + std::to_string(samples) + " and " +
-                   std::to_string(shadow_size)};
+                   std::to_string(kLongestSide) + " pixels a side, found " + std::to_string(samples) +
+                   " and " + std::to_string(shadow_size)};
     }
     FreeBuffers();
-    mjModel adjusted = model;  // shallow: MuJoCo reads the settings from the model, and the model is not ours to change
+    mjModel adjusted =
+        model;  // shallow: MuJoCo reads the settings from the model, and the model is not ours to change
     adjusted.vis.quality.offsamples = samples;
     adjusted.vis.quality.shadowsize = shadow_size;
     adjusted.vis.global.offwidth = task.size.width;
     adjusted.vis.global.offheight = task.size.height;
     mjr_makeContext(&adjusted, &context_, mjFONTSCALE_50);
     mjr_setBuffer(mjFB_OFFSCREEN, &context_);
-    if (context_.currentBuffer != mjFB_OFFSCREEN) return Error{"the frame cannot be drawn: no offscreen buffer on " + info_.driver};
+    if (context_.currentBuffer != mjFB_OFFSCREEN)
+      return Error{"the frame cannot be drawn: no offscreen buffer on " + info_.driver};
     const mjrRect available = mjr_maxViewport(&context_);
     if (available.width < task.size.width || available.height < task.size.height) {
-      return Error{"a picture of " + SizeText(task.size) + " pixels cannot be drawn: " + info_.driver + " gives at most " +
-                   SizeText({available.width, available.height})};
+      return Error{"a picture of " + SizeText(task.size) + " pixels cannot be drawn: " + info_.driver +
+                   " gives at most " + SizeText({available.width, available.height})};
     }
     model_ = task.scene.model();
     samples_ = samples;
@@ -157,7 +166,9 @@ class Renderer::Content {
 Renderer::Renderer(std::unique_ptr<Content> content) : content_(std::move(content)) {}
 Renderer::~Renderer() = default;
 
-const RendererInfo& Renderer::info() const { return content_->info(); }
+const RendererInfo& Renderer::info() const {
+  return content_->info();
+}
 
 Result<std::unique_ptr<Renderer>> Renderer::Create() {
   if (renderer_exists.exchange(true)) {
@@ -209,7 +220,8 @@ Result<PictureSize> ParsePictureSize(std::string_view text) {
     const auto height = std::from_chars(width.ptr + 1, end, size.height);
     understood = height.ec == std::errc() && height.ptr == end;
   }
-  if (!understood) return Error{"the size " + Printable(text) + " is not understood: expected WIDTHxHEIGHT, as in 960x540"};
+  if (!understood)
+    return Error{"the size " + Printable(text) + " is not understood: expected WIDTHxHEIGHT, as in 960x540"};
   if (Status status = CheckSize(size); !status) return status.error();
   return size;
 }

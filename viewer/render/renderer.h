@@ -1,9 +1,10 @@
-// The Renderer makes pixels of scenes, without a window: OpenGL through EGL, in software where there is no graphics card.
+// The Renderer makes pixels of scenes, without a window: OpenGL through EGL, in software where there is no
+// graphics card.
 //
-// At most one exists in a process at a time; keep it for all pictures, for starting takes a good part of a second. Only
-// the thread that made it uses and destroys it. Create sets environment variables: call it before other threads start
-// that may read the environment. The same scene gives the same pixels on the same machine; another machine may differ in
-// single pixels by a little.
+// At most one exists in a process at a time; keep it for all pictures, for starting takes a good part of a
+// second. Only the thread that made it uses and destroys it. Create sets environment variables: call it
+// before other threads start that may read the environment. The same scene gives the same pixels on the same
+// machine; another machine may differ in single pixels by a little.
 #pragma once
 
 #include <memory>
@@ -23,7 +24,8 @@ struct RendererInfo {
   bool software = false;
 };
 
-// How carefully to draw. Changing the numbers from one picture to the next costs time, changing the rest does not.
+// How carefully to draw. Changing the numbers from one picture to the next costs time, changing the rest does
+// not.
 struct RenderQuality {
   std::optional<int> samples;          // for smooth edges: 0, 2, 4, 8...; none: as the model says
   std::optional<int> shadow_map_size;  // pixels a side; none: as the model says
@@ -53,7 +55,6 @@ class Renderer {
   explicit Renderer(std::unique_ptr<Content> content);
   std::unique_ptr<Content> content_;
 };
-
 
 // "960x540" as a size; the error names what was expected.
 Result<PictureSize> ParsePictureSize(std::string_view text);

@@ -33,7 +33,8 @@ std::optional<std::vector<double>> Numbers(std::string_view text) {
     const std::string_view word = text.substr(0, text.find(','));
     double number = 0;
     const auto [end, trouble] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (trouble != std::errc() || end != word.data() + word.size() || !(std::abs(number) <= kFarthest_m)) return std::nullopt;
+    if (trouble != std::errc() || end != word.data() + word.size() || !(std::abs(number) <= kFarthest_m))
+      return std::nullopt;
     numbers.push_back(number);
     if (word.size() == text.size()) return numbers;
     text.remove_prefix(word.size() + 1);
@@ -62,7 +63,8 @@ Result<Camera> ParseCamera(const SceneModel& model, std::string_view text) {
   if (text.starts_with("free:")) {
     const std::optional<std::vector<double>> numbers = Numbers(text.substr(kFree.size() + 1));
     if (!numbers || (numbers->size() != 3 && numbers->size() != 6) || (*numbers)[2] <= 0) {
-      return Error{"the camera " + Printable(text) + " is not understood: expected free:AZIMUTH,ELEVATION,DISTANCE or "
+      return Error{"the camera " + Printable(text) +
+                   " is not understood: expected free:AZIMUTH,ELEVATION,DISTANCE or "
                    "free:AZIMUTH,ELEVATION,DISTANCE,X,Y,Z in degrees and metres, the distance above 0"};
     }
     camera.azimuth_deg = (*numbers)[0];
@@ -78,8 +80,8 @@ Result<Camera> ParseCamera(const SceneModel& model, std::string_view text) {
 std::string ToText(const Camera& camera) {
   if (!camera.name.empty()) return camera.name;
   std::vector<std::string> numbers;
-  for (const double number : {camera.azimuth_deg, camera.elevation_deg, camera.distance_m, camera.look_at_m[0],
-                              camera.look_at_m[1], camera.look_at_m[2]}) {
+  for (const double number : {camera.azimuth_deg, camera.elevation_deg, camera.distance_m,
+                              camera.look_at_m[0], camera.look_at_m[1], camera.look_at_m[2]}) {
     numbers.push_back(FormatNumber(number));
   }
   return "free:" + Join(numbers, ",");

@@ -1,4 +1,5 @@
-// A Camera says from where a scene is looked at: one that the model names, or a free one that looks at a point.
+// A Camera says from where a scene is looked at: one that the model names, or a free one that looks at a
+// point.
 #pragma once
 
 #include <array>
@@ -14,8 +15,8 @@ struct Camera {
   // A camera of the model; when empty, the free camera below is meant.
   std::string name;
 
-  // Where the free camera looks, from how far, and in which direction: azimuth counter-clockwise from the world's x axis,
-  // elevation above the horizon (negative: looking down).
+  // Where the free camera looks, from how far, and in which direction: azimuth counter-clockwise from the
+  // world's x axis, elevation above the horizon (negative: looking down).
   std::array<double, 3> look_at_m{0, 0, 0};
   double distance_m = 1;
   double azimuth_deg = 90;
@@ -27,8 +28,9 @@ struct Camera {
 // The first named camera, or the model's own free camera if none has a name.
 Camera DefaultCamera(const SceneModel& model);
 
-// Reads a camera as users write it: "" (the default), the name of a camera, "free" (the model's own free camera),
-// "free:AZIMUTH,ELEVATION,DISTANCE" or "free:AZIMUTH,ELEVATION,DISTANCE,X,Y,Z", in degrees and metres.
+// Reads a camera as users write it: "" (the default), the name of a camera, "free" (the model's own free
+// camera), "free:AZIMUTH,ELEVATION,DISTANCE" or "free:AZIMUTH,ELEVATION,DISTANCE,X,Y,Z", in degrees and
+// metres.
 Result<Camera> ParseCamera(const SceneModel& model, std::string_view text);
 
 // What ParseCamera reads.

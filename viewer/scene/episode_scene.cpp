@@ -17,10 +17,12 @@ Result<std::optional<SceneSource>> SceneSourceOf(const EpisodeHeader& header) {
   const bool promised = kind != header.settings.end() && kind->second == "mujoco";
   if (!promised) return std::optional<SceneSource>();
   if (!has_model) {
-    return Error{"the episode's world is one of MuJoCo, but the episode file has no " + std::string(kWorldModelFile)};
+    return Error{"the episode's world is one of MuJoCo, but the episode file has no " +
+                 std::string(kWorldModelFile)};
   }
   for (const auto& [name, value] : header.settings) {
-    if (name.starts_with(kWorldBodySetting)) source.body_of_entity[name.substr(kWorldBodySetting.size())] = value;
+    if (name.starts_with(kWorldBodySetting))
+      source.body_of_entity[name.substr(kWorldBodySetting.size())] = value;
   }
   return std::optional<SceneSource>(std::move(source));
 }

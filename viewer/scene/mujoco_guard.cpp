@@ -10,10 +10,12 @@
 namespace aerascope {
 namespace {
 
-void ThrowError(const char* message) { throw std::runtime_error(message); }
+void ThrowError(const char* message) {
+  throw std::runtime_error(message);
+}
 
-// Warnings speak of physics (bad velocities, full contact lists), which is not run here; by default MuJoCo prints them
-// and writes a log file into the current folder.
+// Warnings speak of physics (bad velocities, full contact lists), which is not run here; by default MuJoCo
+// prints them and writes a log file into the current folder.
 void IgnoreWarning(const char*) {}
 
 }  // namespace

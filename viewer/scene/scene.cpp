@@ -30,25 +30,28 @@ struct Scene::Content {
 namespace {
 
 // Room for every geom and site, and for the segments of tendons around them.
-int MostShapes(const mjModel& model) { return 2 * (model.ngeom + model.nsite + 2 * model.nwrap) + 1000; }
+int MostShapes(const mjModel& model) {
+  return 2 * (model.ngeom + model.nsite + 2 * model.nwrap) + 1000;
+}
 
 Status CheckCount(const char* what, std::size_t expected, std::span<const double> found) {
   if (expected != found.size()) {
-    return Error{"the recorded state does not fit the scene's model: expected " + std::to_string(expected) + " " + what +
-                 ", found " + std::to_string(found.size())};
+    return Error{"the recorded state does not fit the scene's model: expected " + std::to_string(expected) +
+                 " " + what + ", found " + std::to_string(found.size())};
   }
   constexpr double kLargest = 1e9;  // beyond, single precision has lost every place that could be seen
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (std::abs(found[i]) <= kLargest) continue;
-    return Error{"the recorded state cannot be drawn: number " + std::to_string(i + 1) + " of its " + what + " is " +
-                 FormatNumber(found[i])};
+    return Error{"the recorded state cannot be drawn: number " + std::to_string(i + 1) + " of its " + what +
+                 " is " + FormatNumber(found[i])};
   }
   return Ok();
 }
 
 Status CheckState(const mjModel& model, const WorldStateRecorded& state) {
   if (Status s = CheckCount("positions (qpos)", static_cast<std::size_t>(model.nq), state.qpos); !s) return s;
-  if (Status s = CheckCount("velocities (qvel)", static_cast<std::size_t>(model.nv), state.qvel); !s) return s;
+  if (Status s = CheckCount("velocities (qvel)", static_cast<std::size_t>(model.nv), state.qvel); !s)
+    return s;
   return CheckCount("controls (ctrl)", static_cast<std::size_t>(model.nu), state.ctrl);
 }
 
@@ -83,9 +86,15 @@ Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
 
-const std::shared_ptr<const SceneModel>& Scene::model() const { return content_->model; }
-const Camera& Scene::camera() const { return content_->camera; }
-const mjvScene_& Scene::mujoco() const { return content_->scene; }
+const std::shared_ptr<const SceneModel>& Scene::model() const {
+  return content_->model;
+}
+const Camera& Scene::camera() const {
+  return content_->camera;
+}
+const mjvScene_& Scene::mujoco() const {
+  return content_->scene;
+}
 
 Result<Scene> Scene::Create(std::shared_ptr<const SceneModel> model) {
   return GuardMujoco("the scene cannot be made", [&]() -> Result<Scene> {
@@ -123,11 +132,14 @@ Status Scene::Show(const WorldStateRecorded& state, const Camera& camera) {
   });
 }
 
-// ------------------------------------------------------------------------------------------------------ as text
+// ------------------------------------------------------------------------------------------------------ as
+// text
 
 namespace {
 
-std::string Rounded(double value) { return FormatNumber(std::round(value * 1e4) / 1e4, 9); }
+std::string Rounded(double value) {
+  return FormatNumber(std::round(value * 1e4) / 1e4, 9);
+}
 
 template <class Number>
 std::string RoundedList(const Number* values, int count) {
@@ -148,20 +160,23 @@ std::string TurnText(const float matrix[9]) {
 }
 
 std::string TypeText(int type) {
-  static constexpr const char* kNames[] = {"plane", "hfield", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh"};
+  static constexpr const char* kNames[] = {"plane",     "hfield",   "sphere", "capsule",
+                                           "ellipsoid", "cylinder", "box",    "mesh"};
   if (type >= 0 && type < static_cast<int>(std::size(kNames))) return kNames[type];
   return "decoration";
 }
 
 std::string ShapeName(const SceneModel& model, const mjvGeom& shape) {
   if (shape.objtype == mjOBJ_GEOM) return model.GeomName(shape.objid);
-  const char* name = shape.objtype == mjOBJ_UNKNOWN ? nullptr : mj_id2name(&model.mujoco(), shape.objtype, shape.objid);
+  const char* name =
+      shape.objtype == mjOBJ_UNKNOWN ? nullptr : mj_id2name(&model.mujoco(), shape.objtype, shape.objid);
   return std::string(name == nullptr ? "" : name) + " (" + mju_type2Str(shape.objtype) + ")";
 }
 
 std::string ShapeText(const SceneModel& model, const mjvGeom& shape) {
-  return "shape " + ShapeName(model, shape) + ": " + TypeText(shape.type) + " size " + RoundedList(shape.size, 3) + " at " +
-         RoundedList(shape.pos, 3) + " turn " + TurnText(shape.mat) + " colour " + RoundedList(shape.rgba, 4) + "\n";
+  return "shape " + ShapeName(model, shape) + ": " + TypeText(shape.type) + " size " +
+         RoundedList(shape.size, 3) + " at " + RoundedList(shape.pos, 3) + " turn " + TurnText(shape.mat) +
+         " colour " + RoundedList(shape.rgba, 4) + "\n";
 }
 
 std::string LightText(const mjvLight& light) {
@@ -169,8 +184,8 @@ std::string LightText(const mjvLight& light) {
   return (light.headlight     ? "light on the camera:"
           : light.directional ? "directional light" + place + ":"
                               : "spot light" + place + ":") +
-         std::string(" ambient ") + RoundedList(light.ambient, 3) + " diffuse " + RoundedList(light.diffuse, 3) +
-         (light.castshadow ? " with shadows" : "") + "\n";
+         std::string(" ambient ") + RoundedList(light.ambient, 3) + " diffuse " +
+         RoundedList(light.diffuse, 3) + (light.castshadow ? " with shadows" : "") + "\n";
 }
 
 std::string CameraText(const Scene& scene) {

@@ -61,7 +61,8 @@ std::string NameBefore(const std::string& text, std::size_t equals) {
   return text.substr(begin, end - begin);
 }
 
-// Calls visit(name, value) for the attributes of an XML text; text that is not XML gives whatever looks like some.
+// Calls visit(name, value) for the attributes of an XML text; text that is not XML gives whatever looks like
+// some.
 template <class Visit>
 void ForEachAttribute(const std::string& text, Visit&& visit) {
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -79,8 +80,8 @@ void ForEachAttribute(const std::string& text, Visit&& visit) {
   }
 }
 
-// A file that the text names and that is not given. MuJoCo would look for it on this machine's disk, where by chance a
-// file of that name may lie.
+// A file that the text names and that is not given. MuJoCo would look for it on this machine's disk, where by
+// chance a file of that name may lie.
 std::optional<std::string> MissingFile(const std::string& text, const VirtualFiles& files) {
   std::optional<std::string> missing;
   ForEachAttribute(text, [&](const std::string& name, const std::string& value) {
@@ -95,7 +96,8 @@ Status CheckFiles(const SceneSource& source, const VirtualFiles& files) {
     if (!missing && file.name.ends_with(".xml")) missing = MissingFile(file.bytes, files);
   }
   if (!missing) return Ok();
-  return Error{"the scene's model names the file " + Printable(*missing) + ", which is not among the files given with it"};
+  return Error{"the scene's model names the file " + Printable(*missing) +
+               ", which is not among the files given with it"};
 }
 
 Result<std::unique_ptr<mjModel, ModelDeleter>> Compile(const SceneSource& source) {
@@ -125,7 +127,8 @@ Status CheckBodies(const mjModel& model, const SceneSource& source) {
     if (mj_name2id(&model, mjOBJ_BODY, body.c_str()) >= 0) continue;
     const std::string close = ClosestWord(body, NamesOf(model, mjOBJ_BODY, model.nbody));
     return Error{"the entity " + Printable(entity) + " is said to be the body " + Printable(body) +
-                 ", which the scene's model does not have" + (close.empty() ? "" : "; did you mean " + Printable(close) + "?")};
+                 ", which the scene's model does not have" +
+                 (close.empty() ? "" : "; did you mean " + Printable(close) + "?")};
   }
   return Ok();
 }
@@ -160,7 +163,9 @@ SceneModel::SceneModel(mjModel_* model, const SceneSource& source)
   }
 }
 
-SceneModel::~SceneModel() { mj_deleteModel(model_); }
+SceneModel::~SceneModel() {
+  mj_deleteModel(model_);
+}
 
 int SceneModel::EntityOfGeom(int geom) const {
   if (geom < 0 || geom >= static_cast<int>(entity_of_geom_.size())) return -1;
@@ -172,7 +177,8 @@ std::string SceneModel::GeomName(int geom) const {
   if (name != nullptr && *name != '\0') return name;
   const int body = model_->geom_bodyid[geom];
   const char* body_name = mj_id2name(model_, mjOBJ_BODY, body);
-  return "geom " + std::to_string(geom - model_->body_geomadr[body]) + " of " + (body_name == nullptr ? "" : body_name);
+  return "geom " + std::to_string(geom - model_->body_geomadr[body]) + " of " +
+         (body_name == nullptr ? "" : body_name);
 }
 
 }  // namespace aerascope

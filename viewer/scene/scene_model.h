@@ -1,8 +1,9 @@
-// A SceneModel is the MuJoCo model of an episode's world, compiled again from what the episode file carries: what there
-// is to see, from which cameras, and which of the model's bodies the episode's entities are.
+// A SceneModel is the MuJoCo model of an episode's world, compiled again from what the episode file carries:
+// what there is to see, from which cameras, and which of the model's bodies the episode's entities are.
 //
-// Immutable after loading; several threads may look at one. Loading is for one thread at a time (MuJoCo's compiler keeps
-// state of its own). Nothing is read from disk: a model that names a file which is not given is refused.
+// Immutable after loading; several threads may look at one. Loading is for one thread at a time (MuJoCo's
+// compiler keeps state of its own). Nothing is read from disk: a model that names a file which is not given
+// is refused.
 #pragma once
 
 #include <map>
@@ -30,8 +31,8 @@ struct SceneSource {
   std::map<std::string, std::string> body_of_entity;
 };
 
-// An entity and the body that it is. Everything attached to the body belongs to it (a hand has its fingers), up to bodies
-// that are entities themselves.
+// An entity and the body that it is. Everything attached to the body belongs to it (a hand has its fingers),
+// up to bodies that are entities themselves.
 struct SceneEntity {
   std::string entity;
   std::string body;
@@ -39,7 +40,8 @@ struct SceneEntity {
 
 class SceneModel {
  public:
-  // Shared, because the scenes of a model and the renderer that has its meshes uploaded outlive each other in any order.
+  // Shared, because the scenes of a model and the renderer that has its meshes uploaded outlive each other in
+  // any order.
   static Result<std::shared_ptr<const SceneModel>> Load(const SceneSource& source);
   ~SceneModel();
   SceneModel(const SceneModel&) = delete;
@@ -67,9 +69,12 @@ class SceneModel {
 };
 
 // Names of the header settings of an episode file that speak of the scene.
-inline constexpr std::string_view kWorldKindSetting = "world.kind";     // "mujoco": there is a scene; else there is none
-inline constexpr std::string_view kWorldBodySetting = "world.body.";    // + entity = name of its body in the model
-inline constexpr std::string_view kWorldFilePrefix = "world/";          // of the embedded files the scene is made from
+inline constexpr std::string_view kWorldKindSetting =
+    "world.kind";  // "mujoco": there is a scene; else there is none
+inline constexpr std::string_view kWorldBodySetting =
+    "world.body.";  // + entity = name of its body in the model
+inline constexpr std::string_view kWorldFilePrefix =
+    "world/";  // of the embedded files the scene is made from
 inline constexpr std::string_view kWorldModelFile = "world/scene.xml";  // the MJCF among them
 
 }  // namespace aerascope

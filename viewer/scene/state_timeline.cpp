@@ -10,10 +10,12 @@ StateTimeline::StateTimeline(std::span<const Event> events) {
     const auto* state = std::get_if<WorldStateRecorded>(&event.body);
     if (state != nullptr && !event.simulation.valid()) states_.push_back(state);
   }
-  std::stable_sort(states_.begin(), states_.end(), [](const auto* a, const auto* b) { return a->at < b->at; });
+  std::stable_sort(states_.begin(), states_.end(),
+                   [](const auto* a, const auto* b) { return a->at < b->at; });
   // Going backwards, the first of equal times is the one recorded last.
-  const auto kept = std::unique(states_.rbegin(), states_.rend(),
-                                [](const auto* later, const auto* earlier) { return later->at == earlier->at; });
+  const auto kept = std::unique(states_.rbegin(), states_.rend(), [](const auto* later, const auto* earlier) {
+    return later->at == earlier->at;
+  });
   states_.erase(states_.begin(), kept.base());
 }
 

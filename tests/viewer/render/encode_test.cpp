@@ -19,7 +19,8 @@ Image Sample(int width, int height) {
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const bool corner = x > width / 2 && y > height / 2;
-      for (const int channel : {x, y, corner ? 255 : 0}) image.rgb.push_back(static_cast<std::uint8_t>(channel % 256));
+      for (const int channel : {x, y, corner ? 255 : 0})
+        image.rgb.push_back(static_cast<std::uint8_t>(channel % 256));
     }
   }
   return image;
@@ -30,7 +31,8 @@ Image DecodePng(const std::string& bytes) {
   png.version = PNG_IMAGE_VERSION;
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) return {};
   png.format = PNG_FORMAT_RGB;
-  Image image{{static_cast<int>(png.width), static_cast<int>(png.height)}, std::vector<std::uint8_t>(PNG_IMAGE_SIZE(png))};
+  Image image{{static_cast<int>(png.width), static_cast<int>(png.height)},
+              std::vector<std::uint8_t>(PNG_IMAGE_SIZE(png))};
   if (!png_image_finish_read(&png, nullptr, image.rgb.data(), 0, nullptr)) return {};
   return image;
 }
@@ -62,7 +64,8 @@ TEST(EncodeWebp, LooksLikeThePicture) {
   ASSERT_TRUE(bytes) << bytes.error().message;
   EXPECT_EQ(*bytes, *EncodeWebp(image, {90, 4}));
   int width = 0, height = 0;
-  std::uint8_t* decoded = WebPDecodeRGB(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size(), &width, &height);
+  std::uint8_t* decoded =
+      WebPDecodeRGB(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size(), &width, &height);
   ASSERT_NE(decoded, nullptr);
   ASSERT_EQ(width, 160);
   ASSERT_EQ(height, 90);
@@ -77,7 +80,8 @@ TEST(EncodeWebp, LessQualityIsSmaller) {
 }
 
 TEST(EncodeWebp, WhatCannotBeIsSaid) {
-  EXPECT_THAT(EncodeWebp(Sample(16384, 1)).error().message, HasSubstr("expected at most 16383 pixels a side, found 16384 x 1"));
+  EXPECT_THAT(EncodeWebp(Sample(16384, 1)).error().message,
+              HasSubstr("expected at most 16383 pixels a side, found 16384 x 1"));
   EXPECT_THAT(EncodeWebp(Sample(4, 4), {101, 4}).error().message, HasSubstr("the quality must be 0 to 100"));
   EXPECT_FALSE(EncodeWebp(Image{}));
 }

@@ -14,7 +14,9 @@ Image Plain(int width, std::uint8_t grey) {
   return {{width, 1}, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width), grey)};
 }
 
-Result<std::string> FirstByte(const Image& image) { return std::to_string(image.rgb[0]) + "/" + std::to_string(image.size.width); }
+Result<std::string> FirstByte(const Image& image) {
+  return std::to_string(image.rgb[0]) + "/" + std::to_string(image.size.width);
+}
 
 TEST(FrameWriter, EncodesInOrderAndEqualPicturesOnce) {
   std::vector<std::string> files;
@@ -24,7 +26,8 @@ TEST(FrameWriter, EncodesInOrderAndEqualPicturesOnce) {
     return Ok();
   });
   std::vector<std::size_t> numbers;
-  for (const int grey : {5, 6, 5, 7, 6}) numbers.push_back(writer.Add(Plain(4, static_cast<std::uint8_t>(grey))));
+  for (const int grey : {5, 6, 5, 7, 6})
+    numbers.push_back(writer.Add(Plain(4, static_cast<std::uint8_t>(grey))));
   numbers.push_back(writer.Add(Plain(8, 5)));
   ASSERT_TRUE(writer.Finish());
   EXPECT_THAT(numbers, ElementsAre(0, 1, 0, 2, 1, 3));
@@ -37,7 +40,8 @@ TEST(FrameWriter, ManyMoreThanWaitAtATimeAllArrive) {
     EXPECT_EQ(number, arrived++);
     return Ok();
   });
-  for (int i = 0; i < 1000; ++i) writer.Add({{1, 1}, {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i / 256), 0}});
+  for (int i = 0; i < 1000; ++i)
+    writer.Add({{1, 1}, {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i / 256), 0}});
   ASSERT_TRUE(writer.Finish());
   EXPECT_EQ(arrived, 1000u);
 }

@@ -48,8 +48,9 @@ double Area(const Ring& ring) {
 }
 
 TEST(Outline, ARectangleHasFourSidesAndALabelAboveItsMiddle) {
-  const auto outlines = TraceOutlines(Picture({"..........", "..######..", "..######..", "..######..", "..######..", ".........."}),
-                                      *TwoEntities());
+  const auto outlines = TraceOutlines(
+      Picture({"..........", "..######..", "..######..", "..######..", "..######..", ".........."}),
+      *TwoEntities());
   ASSERT_EQ(outlines.size(), 1u);
   const Outline& a = outlines[0];
   EXPECT_EQ(a.entity, "a");
@@ -65,7 +66,8 @@ TEST(Outline, ARectangleHasFourSidesAndALabelAboveItsMiddle) {
 }
 
 TEST(Outline, AnOccludedThingHasItsPiecesTheLargestFirst) {
-  const auto outlines = TraceOutlines(Picture({"##++####", "##++####", "##++####", "oooo...."}), *TwoEntities(), kExact);
+  const auto outlines =
+      TraceOutlines(Picture({"##++####", "##++####", "##++####", "oooo...."}), *TwoEntities(), kExact);
   ASSERT_EQ(outlines.size(), 2u);
   ASSERT_EQ(outlines[0].rings.size(), 2u);
   EXPECT_GT(Area(outlines[0].rings[0]), Area(outlines[0].rings[1]));
@@ -73,7 +75,8 @@ TEST(Outline, AnOccludedThingHasItsPiecesTheLargestFirst) {
 }
 
 TEST(Outline, AHoleGoesTheOtherWayRound) {
-  const auto outlines = TraceOutlines(Picture({"#####", "#...#", "#...#", "#...#", "#####"}), *TwoEntities(), kExact);
+  const auto outlines =
+      TraceOutlines(Picture({"#####", "#...#", "#...#", "#...#", "#####"}), *TwoEntities(), kExact);
   ASSERT_EQ(outlines.size(), 1u);
   ASSERT_EQ(outlines[0].rings.size(), 2u);
   EXPECT_GT(Area(outlines[0].rings[0]), 0);
@@ -95,7 +98,8 @@ TEST(Outline, SpecksAreLeftOut) {
 TEST(Outline, ADiscIsRoundWithFewCorners) {
   SegmentImage segments{{100, 100}, {}};
   for (int y = 0; y < 100; ++y) {
-    for (int x = 0; x < 100; ++x) segments.geom.push_back(std::hypot(x + 0.5 - 50, y + 0.5 - 50) < 40 ? 0 : -1);
+    for (int x = 0; x < 100; ++x)
+      segments.geom.push_back(std::hypot(x + 0.5 - 50, y + 0.5 - 50) < 40 ? 0 : -1);
   }
   const auto outlines = TraceOutlines(segments, *TwoEntities());
   ASSERT_EQ(outlines.size(), 1u);
@@ -108,7 +112,8 @@ TEST(Outline, ADiscIsRoundWithFewCorners) {
 }
 
 TEST(Outline, IsWrittenAsSvg) {
-  EXPECT_EQ(SvgPath({{{1, 2}, {3.25, 4}, {5, 6.5}}, {{0, 0}, {1, 0}, {0, 1}}}), "M1 2L3.3 4L5 6.5ZM0 0L1 0L0 1Z");
+  EXPECT_EQ(SvgPath({{{1, 2}, {3.25, 4}, {5, 6.5}}, {{0, 0}, {1, 0}, {0, 1}}}),
+            "M1 2L3.3 4L5 6.5ZM0 0L1 0L0 1Z");
   EXPECT_EQ(SvgPath({}), "");
 }
 
@@ -116,7 +121,8 @@ TEST(Outline, IsWrittenAsSvg) {
 RC_GTEST_PROP(OutlineLaw, RingsEncloseThePixels, ()) {
   const int width = *rc::gen::inRange(1, 12);
   const int height = *rc::gen::inRange(1, 12);
-  const auto pixels = *rc::gen::container<std::vector<bool>>(static_cast<std::size_t>(width * height), rc::gen::arbitrary<bool>());
+  const auto pixels = *rc::gen::container<std::vector<bool>>(static_cast<std::size_t>(width * height),
+                                                             rc::gen::arbitrary<bool>());
   SegmentImage segments{{width, height}, {}};
   int count = 0;
   for (const bool inside : pixels) {
@@ -127,7 +133,8 @@ RC_GTEST_PROP(OutlineLaw, RingsEncloseThePixels, ()) {
   const auto outlines = TraceOutlines(segments, *model, {0, 1e-9});
   RC_ASSERT(outlines.size() == (count > 0 ? 1u : 0u));
   if (count == 0) return;
-  // The middles of the pixel edges cut off an eighth of a pixel at an outer corner and add one at an inner corner.
+  // The middles of the pixel edges cut off an eighth of a pixel at an outer corner and add one at an inner
+  // corner.
   double area = 0;
   std::size_t corners = 0;
   for (const Ring& ring : outlines[0].rings) {

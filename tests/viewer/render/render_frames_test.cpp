@@ -11,7 +11,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 TEST_F(RenderTest, FramesComeInOrderAndEqualOnesOnce) {
-  const std::vector<WorldStateRecorded> states{SmallWorldState(0), SmallWorldState(0.1), SmallWorldState(0.1), SmallWorldState(0)};
+  const std::vector<WorldStateRecorded> states{SmallWorldState(0), SmallWorldState(0.1), SmallWorldState(0.1),
+                                               SmallWorldState(0)};
   std::vector<const WorldStateRecorded*> film;
   for (const WorldStateRecorded& state : states) film.push_back(&state);
   std::vector<std::size_t> progress;

@@ -1,4 +1,5 @@
-// What the tests of viewer/render share: a renderer or the reason why there is none, and looks at single pixels.
+// What the tests of viewer/render share: a renderer or the reason why there is none, and looks at single
+// pixels.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -41,7 +42,8 @@ inline std::ostream& operator<<(std::ostream& out, const Colour& c) {
 }
 
 inline Colour PixelOf(const Image& image, int x, int y) {
-  const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.width) + static_cast<std::size_t>(x));
+  const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.width) +
+                              static_cast<std::size_t>(x));
   return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
 }
 

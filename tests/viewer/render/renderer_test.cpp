@@ -16,8 +16,10 @@ TEST_F(RenderTest, ThingsAreWhereTheyShouldBeInTheirColours) {
   const Result<Image> image = renderer->Draw(*scene, kSize);
   ASSERT_TRUE(image) << image.error().message;
   ASSERT_EQ(image->rgb.size(), 60000u);
-  EXPECT_PRED2([](Colour a, Colour b) { return Near(a, b); }, PixelOf(*image, 120, 50), (Colour{255, 0, 0}));   // cube
-  EXPECT_PRED2([](Colour a, Colour b) { return Near(a, b); }, PixelOf(*image, 78, 71), (Colour{0, 153, 0}));    // palm
+  EXPECT_PRED2([](Colour a, Colour b) { return Near(a, b); }, PixelOf(*image, 120, 50),
+               (Colour{255, 0, 0}));  // cube
+  EXPECT_PRED2([](Colour a, Colour b) { return Near(a, b); }, PixelOf(*image, 78, 71),
+               (Colour{0, 153, 0}));  // palm
   const Colour floor = PixelOf(*image, 150, 80);
   EXPECT_EQ(floor.red, floor.green);
   EXPECT_GT(floor.red, 150);
@@ -87,7 +89,8 @@ TEST_F(RenderTest, AnyReasonableSizeWorksAndOthersAreRefused) {
   for (const PictureSize size : {PictureSize{1, 1}, {3, 2}, {7, 301}, {2600, 1700}}) {
     const Result<Image> image = renderer->Draw(*scene, size);
     ASSERT_TRUE(image) << image.error().message;
-    EXPECT_EQ(image->rgb.size(), 3u * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    EXPECT_EQ(image->rgb.size(),
+              3u * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
     if (size.width < 100) continue;
     EXPECT_TRUE(Near(PixelOf(*image, size.width / 2 + size.height / 5, size.height / 2), {255, 0, 0}));
     EXPECT_NE(PixelOf(*image, size.width - 1, 0), (Colour{0, 0, 0}));
@@ -95,7 +98,8 @@ TEST_F(RenderTest, AnyReasonableSizeWorksAndOthersAreRefused) {
   for (const PictureSize size : {PictureSize{0, 10}, {10, -1}, {16385, 10}, {16000, 16000}}) {
     const Result<Image> image = renderer->Draw(*scene, size);
     ASSERT_FALSE(image);
-    EXPECT_THAT(image.error().message, HasSubstr("pixels cannot be drawn: expected sides of 1 to 16384 pixels"));
+    EXPECT_THAT(image.error().message,
+                HasSubstr("pixels cannot be drawn: expected sides of 1 to 16384 pixels"));
   }
 }
 
@@ -112,7 +116,9 @@ TEST_F(RenderTest, SegmentsNameTheGeomSeenAtEachPixel) {
   ASSERT_TRUE(scene->Show(SmallWorldState(), camera));
   const Result<SegmentImage> segments = renderer->DrawSegments(*scene, kSize);
   ASSERT_TRUE(segments) << segments.error().message;
-  const auto name_at = [&](std::size_t x, std::size_t y) { return scene->model()->GeomName(segments->geom[y * 200 + x]); };
+  const auto name_at = [&](std::size_t x, std::size_t y) {
+    return scene->model()->GeomName(segments->geom[y * 200 + x]);
+  };
   EXPECT_EQ(name_at(120, 50), "cube");
   EXPECT_EQ(name_at(78, 71), "palm");
   EXPECT_EQ(name_at(86, 64), "geom 0 of finger");
@@ -129,7 +135,8 @@ TEST(PictureSize, IsReadFromText) {
   const Result<PictureSize> size = ParsePictureSize("960x540");
   ASSERT_TRUE(size);
   EXPECT_EQ(*size, (PictureSize{960, 540}));
-  for (const char* text : {"", "960", "x", "960x", "x540", "960x540x", "960 x 540", "-5x5", "0x5", "99999999999x5"}) {
+  for (const char* text :
+       {"", "960", "x", "960x", "x540", "960x540x", "960 x 540", "-5x5", "0x5", "99999999999x5"}) {
     EXPECT_FALSE(ParsePictureSize(text)) << text;
   }
 }

@@ -27,8 +27,10 @@ TEST(Camera, ReadsNamesAndFreeViews) {
 TEST(Camera, WhatIsNoCameraIsExplained) {
   const auto model = SceneModel::Load(SmallWorld());
   EXPECT_EQ(Read(**model, "fro\nnt"), "the scene has no camera named fro\\x0ant; it has top, side and free");
-  for (const char* text : {"free:", "free:1,2", "free:1,2,3,4", "free:1,2,0", "free:1,2,nan", "free:1,2,3,4,5,6,7", "free:1,2,1e9"}) {
-    EXPECT_THAT(Read(**model, text), HasSubstr("is not understood: expected free:AZIMUTH,ELEVATION,DISTANCE")) << text;
+  for (const char* text : {"free:", "free:1,2", "free:1,2,3,4", "free:1,2,0", "free:1,2,nan",
+                           "free:1,2,3,4,5,6,7", "free:1,2,1e9"}) {
+    EXPECT_THAT(Read(**model, text), HasSubstr("is not understood: expected free:AZIMUTH,ELEVATION,DISTANCE"))
+        << text;
   }
 }
 

@@ -9,7 +9,8 @@ namespace {
 
 EpisodeHeader SmallHeader() {
   EpisodeHeader header;
-  header.settings = {{"world.kind", "mujoco"}, {"world.body.c", "cube_body"}, {"world.body.h", "hand"}, {"other", "x"}};
+  header.settings = {
+      {"world.kind", "mujoco"}, {"world.body.c", "cube_body"}, {"world.body.h", "hand"}, {"other", "x"}};
   header.files = {{"scenario.toml", "..."},
                   {"world/brick.msh", BrickMesh()},
                   {"world/scene.xml", SmallWorld().model_text}};

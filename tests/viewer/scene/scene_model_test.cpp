@@ -55,13 +55,15 @@ TEST(SceneModel, AnUnknownBodyIsNamedWithTheLikeliestOne) {
   SceneSource source = SmallWorld();
   source.body_of_entity["c"] = "cube_boddy";
   EXPECT_EQ(LoadTrouble(source),
-            "the entity c is said to be the body cube_boddy, which the scene's model does not have; did you mean cube_body?");
+            "the entity c is said to be the body cube_boddy, which the scene's model does not have; did you "
+            "mean cube_body?");
 }
 
 TEST(SceneModel, AMistakeInTheModelIsToldWithItsLine) {
   SceneSource source = SmallWorld();
   source.model_text.replace(source.model_text.find("type=\"plane\""), 12, "typo=\"plane\"");
-  EXPECT_THAT(LoadTrouble(source), AllOf(HasSubstr("cannot load the scene's model"), HasSubstr("typo"), HasSubstr("line 10")));
+  EXPECT_THAT(LoadTrouble(source),
+              AllOf(HasSubstr("cannot load the scene's model"), HasSubstr("typo"), HasSubstr("line 10")));
   EXPECT_EQ(LoadTrouble(source).find('\n'), std::string::npos);
 }
 
@@ -76,7 +78,8 @@ TEST(SceneModel, AFileNamedByAnIncludedFileMustBeGivenToo) {
   SceneSource source = SmallWorld();
   const std::size_t asset = source.model_text.find("<asset>");
   source.model_text.insert(asset, "<!-- file=\"not a file\" --> <include file=\"more.xml\"/>");
-  source.files.push_back({"more.xml", "<mujoco><asset><texture type='2d' file='wood.png'/></asset></mujoco>"});
+  source.files.push_back(
+      {"more.xml", "<mujoco><asset><texture type='2d' file='wood.png'/></asset></mujoco>"});
   EXPECT_THAT(LoadTrouble(source), HasSubstr("names the file wood.png"));
 }
 
@@ -93,7 +96,8 @@ TEST(SceneModel, UnusableFilesAreNamed) {
 }
 
 TEST(SceneModel, TextThatIsNoModelIsRefused) {
-  for (const std::string text : {"", "<", "<mujoco", "<mujoco/><", "\xff\xfe", "<mujoco><worldbody><geom size=\"1 1 1\""}) {
+  for (const std::string text :
+       {"", "<", "<mujoco", "<mujoco/><", "\xff\xfe", "<mujoco><worldbody><geom size=\"1 1 1\""}) {
     SceneSource source;
     source.model_text = text;
     EXPECT_NE(LoadTrouble(source), "loaded") << text;

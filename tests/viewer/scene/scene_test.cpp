@@ -31,14 +31,16 @@ TEST(Scene, IsPrintedShapeByShape) {
   state.qpos[14] = 0.1;                               // the hand lifted by 10 cm
   state.qpos[3] = 0.5, state.qpos[6] = 0.8660254038;  // the cube turned by 120 degrees
   ASSERT_TRUE(scene.Show(state, Named("top")));
-  EXPECT_EQ(ToText(scene),
-            "camera top: at 0 0 2 along 0 0 -1 up 0 1 0\n"
-            "light on the camera: ambient 0.5 0.5 0.5 diffuse 0.5 0.5 0.5\n"
-            "shape floor: plane size 2 2 0.1 at 0 0 0 turn 1 0 0 0 colour 0.8 0.8 0.8 1\n"
-            "shape cube: box size 0.05 0.05 0.05 at 0.2 0 0.05 turn 0.5 0 0 0.866 colour 1 0 0 1\n"
-            "shape geom 0 of brick_body: mesh size 0.02 0.04 0.06 at -0.2 0.2 0.05 turn 1 0 0 0 colour 0 0 1 1\n"
-            "shape palm: box size 0.1 0.04 0.02 at -0.2 -0.2 0.2 turn 1 0 0 0 colour 0 0.6 0 1\n"
-            "shape geom 0 of finger: sphere size 0.03 0.03 0.03 at -0.14 -0.14 0.2 turn 1 0 0 0 colour 0 0.6 0 1\n");
+  EXPECT_EQ(
+      ToText(scene),
+      "camera top: at 0 0 2 along 0 0 -1 up 0 1 0\n"
+      "light on the camera: ambient 0.5 0.5 0.5 diffuse 0.5 0.5 0.5\n"
+      "shape floor: plane size 2 2 0.1 at 0 0 0 turn 1 0 0 0 colour 0.8 0.8 0.8 1\n"
+      "shape cube: box size 0.05 0.05 0.05 at 0.2 0 0.05 turn 0.5 0 0 0.866 colour 1 0 0 1\n"
+      "shape geom 0 of brick_body: mesh size 0.02 0.04 0.06 at -0.2 0.2 0.05 turn 1 0 0 0 colour 0 0 1 1\n"
+      "shape palm: box size 0.1 0.04 0.02 at -0.2 -0.2 0.2 turn 1 0 0 0 colour 0 0.6 0 1\n"
+      "shape geom 0 of finger: sphere size 0.03 0.03 0.03 at -0.14 -0.14 0.2 turn 1 0 0 0 colour 0 0.6 0 "
+      "1\n");
 }
 
 TEST(Scene, ShowsTheLastStateGivenWhateverWasShownBefore) {
@@ -69,7 +71,8 @@ TEST(Scene, AStateOfAnotherModelIsRefusedAndTheSceneStays) {
 
 TEST(Scene, NumbersThatAreNoPlacesAreRefused) {
   Scene scene = SmallScene();
-  for (const double number : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
+  for (const double number :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
     WorldStateRecorded state = SmallWorldState();
     state.qpos[2] = number;
     const Status status = scene.Show(state, Named("top"));

@@ -1,4 +1,5 @@
-// A small world for tests of the viewer: a floor, a red cube, a blue brick that is a mesh, a hand with one finger.
+// A small world for tests of the viewer: a floor, a red cube, a blue brick that is a mesh, a hand with one
+// finger.
 #pragma once
 
 #include <array>
@@ -22,7 +23,9 @@ inline std::string BrickMesh() {
   const std::array<std::int32_t, 36> faces{0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                            2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
   std::string bytes;
-  const auto add = [&bytes](const void* data, std::size_t size) { bytes.append(static_cast<const char*>(data), size); };
+  const auto add = [&bytes](const void* data, std::size_t size) {
+    bytes.append(static_cast<const char*>(data), size);
+  };
   add(counts.data(), sizeof(counts));
   add(points.data(), sizeof(points));
   add(faces.data(), sizeof(faces));
