@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "engine/kb/term_codec.h"
 
@@ -151,7 +152,6 @@ class Arranger {
 
  private:
   void Arrange(Arrangement so_far, std::vector<bool> used) {
-    if (tried_ >= kMaxArrangements || (Exhausted() && !best_.empty())) return;
     if (Exhausted()) AddTheRest(&so_far, used);
     if (so_far.order.size() == components_.size()) return Compare(std::move(so_far));
     std::string smallest;
@@ -163,25 +163,26 @@ class Arranger {
       std::vector<bool> next_used = used;
       next_used[i] = true;
       Arrange(std::move(next), std::move(next_used));
+      if (tried_ >= kMaxArrangements || Exhausted()) return;
     }
   }
 
   // The unused components with the smallest text, equal ones once.
   std::vector<std::size_t> Candidates(const Arrangement& so_far, const std::vector<bool>& used, std::string* smallest) {
     std::vector<std::size_t> candidates;
+    std::set<Term> different;
     for (std::size_t i = 0; i < components_.size(); ++i) {
       if (used[i]) continue;
       Renumbering renumbering = so_far.renumbering;
       std::string text = Encoded(components_[i], &renumbering);
       if (candidates.empty() || text < *smallest) {
         candidates.clear();
+        different.clear();
         *smallest = std::move(text);
       } else if (text != *smallest) {
         continue;
       }
-      const bool known = std::any_of(candidates.begin(), candidates.end(),
-                                     [&](std::size_t k) { return components_[k] == components_[i]; });
-      if (!known) candidates.push_back(i);
+      if (different.insert(components_[i]).second) candidates.push_back(i);
     }
     return candidates;
   }
