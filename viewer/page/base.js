@@ -73,7 +73,7 @@ function lastAt(list, t, at) {
   return list[low - 1];
 }
 
-// Text that does not fit is shortened in the middle, since ends tell names apart ("grab_1", "grab_2").
+// Text that does not fit is cut at its end; a last number stays, since it tells names apart ("grab_1", "grab_2").
 const ruler = document.createElement("canvas").getContext("2d");
 function widthOf(text, pixels) {
   ruler.font = pixels + "px " + getComputedStyle(document.body).fontFamily;
@@ -82,11 +82,15 @@ function widthOf(text, pixels) {
 function fitted(text, room, pixels) {
   if (widthOf(text, pixels) <= room) return text;
   const letters = Array.from(text);
+  const tail = /\d$/.test(text) ? letters[letters.length - 1] : "";
   for (let keep = letters.length - 1; keep >= 2; --keep) {
-    const tail = Math.min(Math.floor(keep / 2), 4);
-    const short = letters.slice(0, keep - tail).join("").trimEnd() + "\u2026" +
-      letters.slice(letters.length - tail).join("").trimStart();
+    const short = letters.slice(0, keep).join("").trimEnd() + "\u2026" + tail;
     if (widthOf(short, pixels) <= room) return short;
   }
   return "";
+}
+// The first of several wordings that fits whole, else the last one cut.
+function firstFitting(texts, room, pixels) {
+  const whole = texts.find((text) => widthOf(text, pixels) <= room);
+  return whole === undefined ? fitted(texts[texts.length - 1], room, pixels) : whole;
 }

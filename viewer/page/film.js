@@ -28,6 +28,21 @@ function filmPane(app) {
       text: binding ? binding + " = " + name : name }));
     return group;
   }
+  // Names that would lie on each other: the lower one moves down.
+  function separate(names) {
+    const placed = [];
+    const size = 23 * unit;
+    for (const node of names.sort((a, b) => a.getAttribute("y") - b.getAttribute("y"))) {
+      const half = widthOf(node.textContent, 23) * unit / 2;
+      const x = Number(node.getAttribute("x"));
+      let y = Number(node.getAttribute("y"));
+      for (const other of placed) {
+        if (Math.abs(other.x - x) < other.half + half && Math.abs(other.y - y) < size) y = other.y + size;
+      }
+      node.setAttribute("y", y);
+      placed.push({ x, y, half });
+    }
+  }
   return app.add({
     showTime(t) {
       const still = lastAt(film.stills, t, (s) => s.at) || film.stills[0];
@@ -39,6 +54,7 @@ function filmPane(app) {
       // Bound things last, so that they lie on top.
       const names = Object.keys(still.objects).sort((a, b) => bound.has(a) - bound.has(b));
       over.replaceChildren(...names.map((name) => objectShape(name, still.objects[name], bound.get(name))));
+      separate([...over.querySelectorAll(".name")]);
     },
     showSelection() {},
   });
@@ -65,7 +81,7 @@ function planPane(app) {
   if (!places.size) return app.add({});
   const all = [...places.values()].flat().map((change) => change.place);
   const flat = all.every((place) => place.length < 2);
-  const width = 392, height = 220, margin = { x: 36, top: 24, bottom: 56 };
+  const width = 392, height = 220, margin = { x: 36, top: 24, bottom: 80 };
   const range = (axis) => {
     const values = all.map((place) => place[axis] ?? 0);
     const low = Math.min(...values), high = Math.max(...values);
@@ -84,7 +100,7 @@ function planPane(app) {
   function grid() {
     if (!flat) {
       return [svg("rect", { class: "axis", fill: "none", x: margin.x / 2, y: margin.top / 2, width: width - margin.x,
-        height: height - margin.bottom - margin.top / 2 })];
+        height: height - margin.bottom + 12 })];
     }
     const lines = [svg("line", { class: "axis", x1: margin.x / 2, x2: width - margin.x / 2, y1: middle.y, y2: middle.y })];
     for (const value of [x0, (x0 + x1) / 2, x1]) {

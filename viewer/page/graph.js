@@ -40,6 +40,10 @@ function graphPane(app) {
     if (band.title) group.append(svg("text", { class: "note", x: graph.columns[0], y: 12, text: band.title }));
     band.edges.forEach((edge, i) => group.append(drawEdge(band, edge, form, i, isOpen)));
     band.cards.forEach((card, i) => group.append(drawCard(card, form.cards[i], isOpen)));
+    if (band.hidden > 0) {
+      group.append(svg("text", { class: "note", x: graph.columns[0], y: form.height - graph.hidden_height / 2 + 4,
+        text: `+ ${band.hidden} more, found by search` }));
+    }
     return group;
   }
 
@@ -95,15 +99,15 @@ function graphPane(app) {
     const middle = y + h / 2 + 4;
     const star = card.mark === "analogy";
     const start = x + 12 + (star ? 16 : 0);
-    const idWidth = card.id ? widthOf(card.id, 12) + 16 : 0;
+    const idWidth = card.id ? widthOf(card.id, 11.5) + 16 : 0;
     const text = svg("text", { x: start, y: middle });
-    let room = w - (start - x) - idWidth - 12;
+    let room = w - (start - x) - idWidth - 8;
     const brief = card.brief.length ? card.brief : card.lines;
     brief.forEach((line, i) => {
       const lead = i ? " \u00b7 " : "";
-      const words = fitted(line.text, room - widthOf(lead, 12.5), 12.5);
+      const words = fitted(line.text, room - widthOf(lead, 12), 12);
       if (!words) return;
-      room -= widthOf(lead + words, 12.5);
+      room -= widthOf(lead + words, 12);
       if (lead) text.append(lead);
       text.append(svg("tspan", { class: line.cut ? "cut" : null }, ...withVariables(words, line.vars, "tspan")));
     });
@@ -122,18 +126,20 @@ function graphPane(app) {
     const shown = card.lines.length > room ? card.lines.slice(0, room - 1) : card.lines;
     const columns = cellColumns(shown, w - 24);
     shown.forEach((line, i) => {
-      const base = y + graph.head_height + i * graph.line_height + 14;
-      const cells = line.cells && columns ? line.cells : [line.text];
+      const base = y + graph.head_height + i * graph.line_height + 20;
+      // Without a relation ("H hand") the value takes its place.
+      const cells = !columns ? [line.text] : line.cells[1] ? line.cells : [line.cells[0], line.cells[2]];
       cells.forEach((cell, c) => {
         const at = columns ? columns[c] : 0;
-        const width = (columns && c + 1 < columns.length ? columns[c + 1] - at - 6 : w - 24 - at) - (line.cut && c === cells.length - 1 ? 44 : 0);
+        const last = c === cells.length - 1;
+        const width = (last ? w - 24 : columns[c + 1] - 6) - at - (line.cut && last ? 44 : 0);
         body.push(svg("text", { class: line.cut ? "cutline" : null, x: x + 12 + at, y: base },
           svg("title", { text: line.text }), svg("tspan", { class: line.cut ? "cut" : null }, ...withVariables(fitted(cell, width, 12), line.vars, "tspan"))));
       });
       if (line.cut) body.push(svg("text", { class: "note", x: x + w - 12, y: base, "text-anchor": "end", text: "pruned" }));
     });
     if (shown.length < card.lines.length) {
-      body.push(svg("text", { class: "note", x: x + 12, y: y + graph.head_height + shown.length * graph.line_height + 14,
+      body.push(svg("text", { class: "note", x: x + 12, y: y + graph.head_height + shown.length * graph.line_height + 20,
         text: `+ ${card.lines.length - shown.length} more` }));
     }
     const made = { given: "given", made: "made at " }[card.origin] || card.origin + " at ";
@@ -151,7 +157,7 @@ function graphPane(app) {
   function cellColumns(lines, width) {
     if (!lines.every((line) => line.cells)) return null;
     const widest = (c) => Math.max(0, ...lines.map((line) => widthOf(line.cells[c], 12)));
-    const first = Math.min(widest(0) + 12, width / 3), second = first + widest(1) + 14;
+    const first = Math.min(widest(0) + 12, width / 3), second = first + widest(1) + 12;
     return second + Math.min(widest(2), 40) <= width ? [0, first, second] : null;
   }
 
@@ -259,6 +265,16 @@ function graphPane(app) {
     for (const node of box.querySelectorAll("g")) if (node.showSelected) node.showSelected(app.selected);
   }
 
+  // The selected cards come into view, if the pane scrolls.
+  function bringIntoView() {
+    const cards = [...box.querySelectorAll(".item.selected")].map((node) => node.getBoundingClientRect()).filter((r) => r.height);
+    if (!cards.length || box.scrollHeight <= box.clientHeight) return;
+    const pane = box.getBoundingClientRect();
+    const top = Math.min(...cards.map((r) => r.top)), bottom = Math.max(...cards.map((r) => r.bottom));
+    if (bottom > pane.bottom - 12) box.scrollTop += bottom - pane.bottom + 24;
+    else if (top < pane.top) box.scrollTop -= pane.top - top + 24;
+  }
+
   draw();
   return app.add({
     showSelection(subject) {
@@ -267,6 +283,7 @@ function graphPane(app) {
       if (band < 0) for (const other of subject.requirements || []) if (band < 0) band = bandOf(other.subject);
       if (band >= 0 && band !== open) { open = band; draw(); }
       showSelected();
+      bringIntoView();
     },
     showTime(t) {
       for (const part of parts) part(t);

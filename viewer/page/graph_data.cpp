@@ -29,21 +29,6 @@ json FormData(const BandForm& form) {
   return {{"height", form.height}, {"cards", cards}, {"edges", edges}, {"notes", notes}};
 }
 
-std::string OriginWord(Origin origin) {
-  switch (origin) {
-    case Origin::kSeed:
-      return "given";
-    case Origin::kInduction:
-      return "taught";
-    case Origin::kPredictionFailure:
-    case Origin::kGoalSuccess:
-      return "learned";
-    case Origin::kAnalogy:
-      return "made";
-  }
-  return "learned";
-}
-
 class GraphAuthor {
  public:
   explicit GraphAuthor(const ReportContext& context) : context_(context), knowledge_(context.knowledge) {}
@@ -62,6 +47,7 @@ class GraphAuthor {
             {"head_height", kCardHeadHeight},
             {"line_height", kCardLineHeight},
             {"title_height", kBandTitleHeight},
+            {"hidden_height", kHiddenRowsHeight},
             {"bands", bands}};
   }
 
@@ -74,6 +60,7 @@ class GraphAuthor {
     return {{"title", std::string(BandTitle(band.kind))},
             {"cards", cards},
             {"edges", edges},
+            {"hidden", band.hidden_rows},
             {"folded", FormData(band.folded)},
             {"open", FormData(band.open)}};
   }
@@ -102,9 +89,20 @@ class GraphAuthor {
     return {};
   }
 
+  std::string OriginWord(Origin origin, Time created) const {
+    switch (origin) {
+      case Origin::kSeed: return "given";
+      case Origin::kAnalogy: return "made";
+      case Origin::kInduction:
+      case Origin::kPredictionFailure:
+      case Origin::kGoalSuccess: break;
+    }
+    return context_.TaughtAt(created) ? "taught" : "learned";
+  }
+
   void AddLife(json& data, Origin origin, Time created) const {
     data["born"] = created.us;
-    data["origin"] = OriginWord(origin);
+    data["origin"] = OriginWord(origin, created);
     data["mark"] = MarkOf(origin);
   }
 

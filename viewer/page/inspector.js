@@ -10,7 +10,7 @@ function inspectorPane(app) {
   function draw(subject) {
     live = [];
     const sections = [definition(subject), life(subject), outcome(subject), requirements(subject), plans(subject),
-      comparisons(subject), tree(subject.why, "Why does it exist?", "why", subject), tree(subject.led, "What did it lead to?", "led", subject)];
+      comparisons(subject), why(subject), led(subject)];
     box.replaceChildren(top(subject), ...sections.filter((section) => section));
     box.scrollTop = 0;
   }
@@ -19,7 +19,7 @@ function inspectorPane(app) {
     const failed = subject.outcome === "failed";
     const jump = el("span", { class: "jump" });
     for (const [id, text, there] of [["compared", "compared", subject.compared], ["why", "why", subject.why.nodes.length > 1],
-      ["led", "led to", subject.led && subject.led.nodes.length > 1]]) {
+      ["led", "led to", subject.led.nodes.length]]) {
       if (!there) continue;
       jump.append(el("button", { type: "button", class: "link", text,
         on: { click: () => { const target = $("part-" + id); if (target) target.scrollIntoView({ block: "start" }); } } }));
@@ -95,7 +95,7 @@ function inspectorPane(app) {
       const x = X(step.at), y = Y(step.sure);
       if (i === 0) {
         const room = x - left > 110;
-        picture.append(room ? value(x - 12, y + 4, "end", step, 90) : value(x, y + 18 > bottom ? y - 8 : y + 18, "start", step, 110));
+        picture.append(room ? value(x - 12, y + 4, "end", step, x - left - 14) : value(x, y + 18 > bottom ? y - 8 : y + 18, "start", step, 110));
         free = room ? x - 8 : x + 110;
       } else if (i === last) {
         picture.append(svg("text", { class: "value", x: right + 10, y: y + 2 }, svg("tspan", { text: sureText(step.sure) })),
@@ -180,42 +180,61 @@ function inspectorPane(app) {
   }
 
   // ---- why, and what it led to
-  function tree(data, title, id, subject) {
-    if (!data || data.nodes.length < 2) return null;
-    const effects = id === "led";
-    const note = effects ? "" : `${data.levels} levels, ${data.first} first causes`;
+  function why(subject) {
+    const data = subject.why;
+    if (data.nodes.length < 2) return null;
     const root = el("ol", { class: "tree" });
     const lists = [root];
-    // Of effects, the thing itself is not repeated.
-    const nodes = effects ? data.nodes.slice(1).map((node) => ({ ...node, depth: node.depth - 1 })) : data.nodes;
-    for (const node of nodes) {
+    for (const node of data.nodes) {
       const item = el("li", {}, causeRow(node));
-      if (node.more) item.append(el("div", { class: "more", text: effects ? "and what came of that" : "and what led to that" }));
-      const list = lists[node.depth] || (() => {
-        const parent = lists[node.depth - 1].lastElementChild;
-        const inner = el("ul", {});
-        parent.append(inner);
-        return inner;
-      })();
-      list.append(item);
+      if (node.more) item.append(el("div", { class: "more", text: "and what led to that" }));
+      if (!lists[node.depth]) {
+        lists[node.depth] = el("ul", {});
+        lists[node.depth - 1].lastElementChild.append(lists[node.depth]);
+      }
+      lists[node.depth].append(item);
       lists.length = node.depth + 1;
-      lists[node.depth] = list;
     }
-    const more = data.cut ? el("p", { class: "verdict quiet", text: `The whole tree: aerascope why RUN ${effects ? "--led-to " : ""}#${subject.event}` }) : null;
-    return block(heading(title, note, "part-" + id), root, more);
+    const rest = data.cut ? el("p", { class: "verdict quiet", text: `The whole tree: aerascope why RUN #${subject.event}` }) : null;
+    const title = { goal: subject.outcome === "open" ? "Why is it wanted?" : "Why did it end so?", command: "Why was it done?",
+      prediction: subject.outcome === "open" ? "Why was it expected?" : "Why did it end so?" }[subject.kind] || "Why does it exist?";
+    return block(heading(title, `${data.levels} levels, ${data.first} first ${data.first === 1 ? "cause" : "causes"}`, "part-why"), root, rest);
+  }
+  function led(subject) {
+    const data = subject.led;
+    if (!data.nodes.length) return null;
+    const rest = data.left_out ? el("p", { class: "verdict quiet", text: `and ${data.left_out} more` }) : null;
+    return block(heading("What did it lead to?", "", "part-led"),
+      el("ol", { class: "tree" }, ...data.nodes.map((node) => el("li", {}, causeRow(node)))), rest);
   }
   function causeRow(node) {
     const still = lastAt(app.report.film.stills, node.at, (s) => s.at);
     const button = el("button", { type: "button", class: node.failed ? "fail" : "", title: "#" + node.event,
       on: { click: () => { if (node.subject) app.select(node.subject); app.go(node.at); } } });
-    if (still) {
-      const image = el("img", { class: "thumb", alt: "" });
-      showImage(image, still.image);
-      button.append(image);
-    }
+    if (still) button.append(thumbnail(still, node.text));
     button.append(el("span", { class: "what" }, mark(node.failed ? "cross" : node.mark, node.failed ? "fail" : ""),
       el("span", {}, ...sentence(node.text), node.again ? el("span", { class: "quiet", text: " (see above)" }) : "")), el("time", { text: secondsText(node.at) }));
     return button;
+  }
+
+  // The still around the thing last named, enlarged.
+  function thumbnail(still, text) {
+    const image = el("img", { alt: "" });
+    showImage(image, still.image);
+    const named = text.split(/[^\p{L}\p{N}_]+/u).filter((word) => Object.hasOwn(still.objects, word)).pop();
+    if (named) {
+      const { outline, label } = still.objects[named];
+      const middle = (first) => {
+        const values = outline.filter((_, i) => i % 2 === first);
+        return values.length ? (Math.min(...values) + Math.max(...values)) / 2 : label[first];
+      };
+      const zoom = 2.4;
+      const { width, height } = app.report.film;
+      image.style.width = image.style.height = zoom * 100 + "%";
+      image.style.left = clamp(50 - zoom * 100 * middle(0) / width, 100 - zoom * 100, 0) + "%";
+      image.style.top = clamp(50 - zoom * 100 * middle(1) / height, 100 - zoom * 100, 0) + "%";
+    }
+    return el("span", { class: "thumb" }, image);
   }
 
   return app.add({

@@ -27,9 +27,9 @@ function lanesPane(app) {
     const moved = all.filter((piece) => change(piece) > 0 && piece.subject !== selected)
       .sort((a, b) => change(b) - change(a) || a.born - b.born);
     const mine = all.filter((piece) => piece.subject === selected);
-    const rest = moved.slice(0, LANE.curves - 1 - 0);
-    const shown = new Set([...mine, ...(mine.length ? rest : moved.slice(0, LANE.curves))].map((piece) => piece.subject));
-    return { shown: all.filter((piece) => shown.has(piece.subject)), more: all.filter((piece) => change(piece) > 0).length - [...shown].filter((id) => change(all.find((p) => p.subject === id)) > 0).length };
+    const others = moved.slice(0, LANE.curves - mine.length);
+    const shown = new Set([...mine, ...others].map((piece) => piece.subject));
+    return { shown: all.filter((piece) => shown.has(piece.subject)), more: moved.length - others.length };
   }
 
   // Bars of one lane may not overlap: the next free row takes what does not fit.
@@ -57,6 +57,7 @@ function lanesPane(app) {
       const node = el("div", { class: more && more.class, title: more && more.title }, more && more.child ? more.child : text);
       node.style.top = y + (height - 20) / 2 + "px";
       labels.append(node);
+      return node;
     };
 
     label("Time", LANE.axis);
@@ -82,7 +83,7 @@ function lanesPane(app) {
       list.forEach((entry, i) => front.push(laneMark(entry, list[i + 1], y, sign)));
       y += LANE.marks;
     };
-    marks("Learned: taught", lanes.taught, "learned");
+    marks(lanes.taught_label, lanes.taught, "learned");
     marks("Learned: analogy", lanes.analogy, "analogy");
 
     const chosen = chooseCurves(app.selected);
@@ -93,9 +94,13 @@ function lanesPane(app) {
       y += 4;
       for (const piece of curves) {
         const selected = piece.subject === app.selected;
-        const name = "Sure: " + piece.text;
-        label("", LANE.curve, { title: "How sure: " + piece.text, child: el("button", { type: "button", class: selected ? "selected" : "", text: name,
-          on: { click: () => app.select(piece.subject) } }) });
+        const button = el("button", { type: "button", class: selected ? "selected" : "", text: "Sure: " + piece.text,
+          title: "How sure: " + piece.text, on: { click: () => app.select(piece.subject) } });
+        const node = label("", LANE.curve, { child: button });
+        // Where the curve begins late, its name may reach over the free field.
+        const free = width <= box.clientWidth - labelWidth + 1 ? X(subjects[piece.subject].confidence[0].at) - 44 : 0;
+        node.style.width = labelWidth - 20 + Math.max(0, free) + "px";
+        node.style.right = "auto";
         front.push(curve(piece, y, selected));
         y += LANE.curve;
       }
@@ -151,9 +156,9 @@ function lanesPane(app) {
         : `M${x} ${top}h${w}v${h}h${-w}Z`;
     const failed = bar.outcome === "failed" || bar.refused;
     const decided = bar.outcome === "true" || failed;
-    const signRoom = decided && w > 22 ? 13 : 0;
-    const left = x + (shape === "left" ? tip + 2 : 5);
-    const words = fitted(bar.text, x + w - left - signRoom - (shape === "right" ? tip : 3), 11.5);
+    const signRoom = decided && w > 22 ? 11 : 0;
+    const left = x + (shape === "left" ? tip + 1 : 4);
+    const words = fitted(bar.text, x + w - left - signRoom - (shape === "right" ? tip - 2 : 2), 11);
     const state = { true: ", came true", failed: ", failed", open: "" }[bar.outcome] || (bar.refused ? ", refused" : "");
     const title = (bar.full || bar.text) + ", " + secondsText(bar.from) + " to " + secondsText(bar.to) + state;
     return selectable(bar.subject, title, (failed ? "failed " : "") + (bar.by || ""), bar.from,
@@ -164,9 +169,9 @@ function lanesPane(app) {
   function laneMark(entry, next, y, sign) {
     const x = X(entry.at), end = next ? X(next.at) - 8 : X(clock.end) + LANE.right;
     const middle = y + LANE.marks / 2;
-    const words = fitted(entry.text, end - x - 10, 11.5);
+    const words = firstFitting([entry.text, entry.short], end - x - 9, 11);
     return selectable(entry.subject, entry.text + ", " + secondsText(entry.at), "", entry.at,
-      svg("rect", { class: "focus", x: x - 8, y: middle - 9, width: 16 + (words ? widthOf(words, 11.5) + 4 : 0), height: 18, rx: 4 }),
+      svg("rect", { class: "focus", x: x - 8, y: middle - 9, width: 16 + (words ? widthOf(words, 11) + 4 : 0), height: 18, rx: 4 }),
       signAt(sign, x, middle, sign === "analogy" ? 13 : 12, "sign"),
       words ? svg("text", { class: "note", x: x + 9, y: middle + 4, text: words }) : "");
   }

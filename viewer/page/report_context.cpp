@@ -104,6 +104,12 @@ std::string ReportContext::SubjectOf(const Event& event) const {
       event.body);
 }
 
+bool ReportContext::TaughtAt(Time time) const {
+  return std::any_of(summary.phases.begin(), summary.phases.end(), [&](const Phase& phase) {
+    return phase.by == Commander::kTeacher && phase.interval.after < time && time <= phase.interval.before;
+  });
+}
+
 std::optional<Time> ReportContext::DeletedAt(ModelId model) const {
   const auto history = histories.find(model);
   if (history == histories.end() || history->second.steps.empty()) return std::nullopt;
@@ -178,6 +184,8 @@ std::string ObjectOf(const AnalogyCompared& compared) {
 }
 
 std::string Capitalised(std::string text) {
+  const std::string word = text.substr(0, text.find(' '));
+  if (word.find_first_of("_0123456789") != std::string::npos) return text;
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
 }

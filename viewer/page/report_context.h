@@ -37,6 +37,8 @@ struct ReportContext {
   // The id under which the inspector knows what an event is about; empty if it has no page there.
   std::string SubjectOf(const Event& event) const;
   std::string SubjectOf(CompositeStateId state) const;
+  // Whether something that came about at this time was shown by a teacher: his command ran until then.
+  bool TaughtAt(Time time) const;
   // When a model left the knowledge base; nothing while it is there.
   std::optional<Time> DeletedAt(ModelId model) const;
 
@@ -54,6 +56,7 @@ bool TellsOfFailure(const Event& event);
 // be empty.
 std::string ObjectOf(const AnalogyCompared& compared);
 
+// With a capital in front, unless the first word is a name such as grab_type_2.
 std::string Capitalised(std::string text);
 
 }  // namespace aerascope

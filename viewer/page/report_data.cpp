@@ -286,16 +286,20 @@ class ReportAuthor {
                              {"subject", IdText(prediction.prediction)}});
     json taught = json::array();
     json analogy = json::array();
+    bool all_taught = true;
     for (const ModelId id : summary_.learned) {
       const ModelRecord* record = knowledge_.Find(id);
       if (record == nullptr) continue;
       const bool derived = record->origin == Origin::kAnalogy;
       (derived ? analogy : taught)
-          .push_back(
-              {{"at", record->created.us}, {"text", TitleOf(knowledge_, id)}, {"subject", IdText(id)}});
+          .push_back({{"at", record->created.us},
+                      {"text", TitleOf(knowledge_, id)},
+                      {"short", ShortTitle(record->model)},
+                      {"subject", IdText(id)}});
+      all_taught = all_taught && (derived || context_.TaughtAt(record->created));
     }
     return {{"phases", phases},           {"goals", goals},   {"commands", commands},
-            {"predictions", predictions}, {"taught", taught}, {"analogy", analogy}};
+            {"predictions", predictions}, {"taught", taught}, {"taught_label", all_taught ? "Learned: taught" : "Learned"}, {"analogy", analogy}};
   }
 
   static std::string OutcomeWord(Outcome outcome) {
@@ -315,6 +319,13 @@ class ReportAuthor {
     std::string word = Printable(command[0].name());
     std::replace(word.begin(), word.end(), '_', ' ');
     return word;
+  }
+
+  // What a requirement model is about in a word: the command of its causal model, else its title.
+  std::string ShortTitle(const Model& requirement) const {
+    const ModelRecord* target = knowledge_.Find(TargetModel(requirement));
+    if (target != nullptr && IsCommand(target->model.lhs.payload)) return CommandWord(target->model.lhs.payload);
+    return TitleOf(knowledge_, requirement.id);
   }
 
   // What is predicted in a word or two: the value, or the thing that has this value now ("at s1").

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "engine/base/text.h"
 #include "engine/query/why.h"
@@ -14,7 +15,12 @@ using nlohmann::json;
 // A page tells the nearest causes; the whole tree is one `aerascope why` away, and cut places say that there
 // is more.
 constexpr CauseLimits kWhyLimits{5, 60};
-constexpr CauseLimits kLedToLimits{2, 24};
+constexpr std::size_t kEffectsShown = 12;
+
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
 
 std::string VerdictText(AnalogyVerdict verdict) {
   switch (verdict) {
@@ -143,6 +149,7 @@ class SubjectAuthor {
                      std::string(ToText(KindOf(model))) + ", " + MadeNote(record.origin, record.created),
                      TitleOf(knowledge_, model.id), record.created);
     data["kind"] = "model";
+    data["vars"] = VariableNames(knowledge_, model);
     data["say"] = ExplanationOf(knowledge_, model.id);
     const ModelLines lines = LinesOf(knowledge_, model);
     data["definition"] = {
@@ -362,20 +369,58 @@ class SubjectAuthor {
   void AddCauses(json& data, EventId made, EventId outcome = {}) const {
     data["event"] = made.value;
     data["why"] = TreeData(Why(run_, outcome.valid() ? outcome : made, kWhyLimits));
-    data["led"] = TreeData(LedTo(run_, made, kLedToLimits));
+    data["led"] = EffectData(made);
+  }
+
+  // Whether an effect is worth a line; what is only thought on the way is looked through.
+  bool IsShownEffect(const Event& event) const {
+    if (event.simulation.valid()) return false;
+    return std::visit(Overloaded{[](const PredictionSucceeded&) { return true; },
+                                 [](const PredictionFailed&) { return true; },
+                                 [](const AnalogyCompared&) { return true; }, [](const ModelCreated&) { return true; },
+                                 [](const ModelStateChanged&) { return true; }, [](const CommandIssued&) { return true; },
+                                 [](const CommandRefused&) { return true; }, [](const GoalAchieved&) { return true; },
+                                 [](const GoalFailed&) { return true; }, [](const DriveInjected&) { return true; },
+                                 [](const auto&) { return false; }},
+                      event.body);
+  }
+
+  // The nearest effects worth a line, in order of time, as a flat list.
+  json EffectData(EventId made) const {
+    std::set<EventId> seen{made};
+    std::vector<EventId> open{made};
+    std::vector<EventId> shown;
+    while (!open.empty()) {
+      const EventId event = open.back();
+      open.pop_back();
+      for (const EventId effect : run_.Effects(event)) {
+        if (!seen.insert(effect).second) continue;
+        if (IsShownEffect(*run_.Find(effect))) shown.push_back(effect);
+        else open.push_back(effect);
+      }
+    }
+    std::sort(shown.begin(), shown.end());
+    json nodes = json::array();
+    for (std::size_t i = 0; i < std::min(shown.size(), kEffectsShown); ++i) nodes.push_back(NodeData(shown[i], 0));
+    return {{"nodes", nodes}, {"left_out", shown.size() - nodes.size()}};
+  }
+
+  json NodeData(EventId id, int depth) const {
+    const Event& event = *run_.Find(id);
+    json data = {{"event", id.value},
+                 {"depth", depth},
+                 {"at", event.time.us},
+                 {"mark", MarkOf(event)},
+                 {"text", SentenceOf(run_, event)}};
+    if (TellsOfFailure(event)) data["failed"] = true;
+    if (const std::string subject = context_.SubjectOf(event); !subject.empty()) data["subject"] = subject;
+    return data;
   }
 
   json TreeData(const CauseTree& tree) const {
     json nodes = json::array();
     for (const CauseNode& node : tree.nodes) {
-      const Event& event = *run_.Find(node.event);
-      json data = {{"event", event.id.value},
-                   {"depth", node.depth},
-                   {"at", event.time.us},
-                   {"mark", MarkOf(event)},
-                   {"text", SentenceOf(run_, event)}};
-      if (TellsOfFailure(event)) data["failed"] = true;
-      if (const std::string subject = context_.SubjectOf(event); !subject.empty()) data["subject"] = subject;
+      json data = NodeData(node.event, node.depth);
       if (node.mark == CauseMark::kReference) data["again"] = true;
       if (node.mark == CauseMark::kCut) data["more"] = true;
       nodes.push_back(std::move(data));
