@@ -1,7 +1,7 @@
 #include "engine/episode/config.h"
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 
 #include "engine/base/text.h"
 
@@ -66,14 +66,18 @@ Result<ConfigValue> ParseConfig(std::string_view text, const std::string& file) 
 }
 
 void ConfigErrors::Add(int line, int column, std::string message) {
-  entries_.push_back({line, column, ErrorAt({file_, line, column}, message)});
+  entries_.push_back({false, line, column, ErrorAt({file_, line, column}, message)});
 }
 
-void ConfigErrors::Add(int line, int column, const Error& error) { entries_.push_back({line, column, error}); }
+void ConfigErrors::AddMissing(const ConfigValue& table, std::string message) {
+  entries_.push_back({true, table.line, table.column, ErrorAt({file_, table.line, table.column}, message)});
+}
+
+void ConfigErrors::Add(int line, int column, const Error& error) { entries_.push_back({false, line, column, error}); }
 
 Status ConfigErrors::First() const {
   const auto first = std::min_element(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    return std::tie(a.missing, a.line, a.column) < std::tie(b.missing, b.line, b.column);
   });
   return first == entries_.end() ? Ok() : Status(first->error);
 }
@@ -93,7 +97,7 @@ const ConfigValue* ConfigTable::Get(std::string_view key) {
 
 const ConfigValue* ConfigTable::Require(std::string_view key) {
   const ConfigValue* value = Get(key);
-  if (!value) Fail(*table_, "expected the key '" + std::string(key) + "' in " + name_ + ", found none");
+  if (!value) errors_->AddMissing(*table_, "expected the key '" + std::string(key) + "' in " + name_ + ", found none");
   return value;
 }
 
@@ -181,7 +185,8 @@ std::array<double, 2> ConfigTable::Pair(std::string_view key, std::array<double,
   return fallback;
 }
 
-std::size_t ConfigTable::Choice(std::string_view key, const std::vector<std::string>& choices, std::size_t fallback) {
+std::optional<std::size_t> ConfigTable::Choice(std::string_view key, const std::vector<std::string>& choices,
+                                               std::size_t fallback) {
   const ConfigValue* value = Get(key);
   if (!value) return fallback;
   const auto it = std::find(choices.begin(), choices.end(), value->text);
@@ -191,7 +196,7 @@ std::size_t ConfigTable::Choice(std::string_view key, const std::vector<std::str
   const std::string closest = ClosestWord(value->text, choices);
   Fail(*value, "expected one of \"" + Join(choices, "\", \"") + "\" for '" + std::string(key) + "', found " + Found(*value) +
                    (closest.empty() ? "" : "; did you mean \"" + closest + "\"?"));
-  return fallback;
+  return std::nullopt;
 }
 
 std::optional<ConfigTable> ConfigTable::Table(std::string_view key) {

@@ -32,12 +32,14 @@ struct ConfigValue {
 // The whole file as a table.
 Result<ConfigValue> ParseConfig(std::string_view text, const std::string& file);
 
-// Collects what is wrong; the first in the file is reported.
+// Collects what is wrong. The first in the file is reported; that something is missing only if nothing else is wrong, as
+// a misspelt key is both.
 class ConfigErrors {
  public:
   explicit ConfigErrors(std::string file) : file_(std::move(file)) {}
   void Add(int line, int column, std::string message);
   void Add(const ConfigValue& value, std::string message) { Add(value.line, value.column, std::move(message)); }
+  void AddMissing(const ConfigValue& table, std::string message);
   // An error that already says where it is.
   void Add(int line, int column, const Error& error);
   Status First() const;
@@ -45,6 +47,7 @@ class ConfigErrors {
 
  private:
   struct Entry {
+    bool missing;
     int line;
     int column;
     Error error;
@@ -73,11 +76,13 @@ class ConfigTable {
   std::vector<std::string> Strings(std::string_view key);
   std::vector<double> Numbers(std::string_view key, double smallest, double largest);
   std::array<double, 2> Pair(std::string_view key, std::array<double, 2> fallback, double smallest, double largest);
-  // Index of the word among the choices.
-  std::size_t Choice(std::string_view key, const std::vector<std::string>& choices, std::size_t fallback);
+  // Index of the word among the choices, the fallback if the key is not there, nothing if it is none of them.
+  std::optional<std::size_t> Choice(std::string_view key, const std::vector<std::string>& choices, std::size_t fallback);
   // A table that may be missing, and the tables of a list ([[name]]).
   std::optional<ConfigTable> Table(std::string_view key);
   std::vector<ConfigTable> Tables(std::string_view key);
+  // Makes keys known that are asked for later.
+  void Know(const std::vector<std::string>& keys) { known_.insert(keys.begin(), keys.end()); }
   void Finish();
 
   void Fail(const ConfigValue& value, std::string message) { errors_->Add(value, std::move(message)); }

@@ -60,15 +60,18 @@ class ScenarioReader {
     const Result<ConfigValue> config = ParseConfig(text, errors_.file());
     if (!config) return config.error();
     ConfigTable root(*config, "the scenario", &errors_);
+    root.Know({"title", "story", "sampling_period_ms", "random_seed", "max_frames", "seed", "world", "reasoner", "recording",
+               "teacher", "drives"});
+    root.Finish();
     ReadHead(root);
     if (Status status = ReadSeed(root, open_seed); !status) return status.error();
     ReadWorld(root);
+    if (Status status = errors_.First(); !status) return status.error();
     if (auto reasoner = root.Table("reasoner")) ReadReasoner(*reasoner);
     if (auto recording = root.Table("recording")) ReadRecording(*recording);
     for (ConfigTable& command : root.Tables("teacher")) ReadTeacherCommand(command);
     for (ConfigTable& drive : root.Tables("drives")) ReadDrive(drive);
     ReadFrames(root);
-    root.Finish();
     if (Status status = errors_.First(); !status) return status.error();
     MovePropertiesToWorld();
     scenario_.files.emplace(kScenarioFile, text);
@@ -108,9 +111,10 @@ class ScenarioReader {
     root.Require("world");
     std::optional<ConfigTable> world = root.Table("world");
     if (!world) return;
-    if (world->Choice("kind", {"scripted", "mujoco"}, 0) == 0) {
+    const std::optional<std::size_t> kind = world->Choice("kind", {"scripted", "mujoco"}, 0);
+    if (kind == 0u) {
       scenario_.world = ReadScriptedWorld(*world, scenario_.seed, &errors_);
-    } else {
+    } else if (kind == 1u) {
       scenario_.world = ReadMujocoWorld(*world, scenario_.seed, source_, &errors_);
       std::get<MujocoWorldConfig>(scenario_.world).noise.seed = scenario_.random_seed;
     }
@@ -121,7 +125,7 @@ class ScenarioReader {
     const auto milliseconds = [&](std::string_view key, Duration fallback) {
       return Milliseconds(table.Integer(key, fallback.us / 1000, 0, scenario_.sampling_period.us / 1000));
     };
-    p.analogy_mode = table.Choice("analogy_mode", {"paper", "openaera"}, 0) == 0 ? AnalogyMode::kPaper : AnalogyMode::kOpenaera;
+    p.analogy_mode = table.Choice("analogy_mode", {"paper", "openaera"}, 0) == 1u ? AnalogyMode::kOpenaera : AnalogyMode::kPaper;
     if (p.analogy_mode == AnalogyMode::kOpenaera) p.analogy_min_matched = 3;
     p.analogy_min_matched = static_cast<int>(table.Integer("analogy_min_matched", p.analogy_min_matched, 1, 1000));
     p.analogy_min_psi = table.Number("analogy_min_psi", p.analogy_min_psi, 0, 1);

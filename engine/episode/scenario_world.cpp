@@ -91,7 +91,7 @@ std::vector<EntityProperty> AllProperties(ConfigTable& table, const std::string&
 CommandKind KindKey(ConfigTable& table) {
   table.Require("kind");
   constexpr CommandKind kKinds[] = {CommandKind::kMove, CommandKind::kGrab, CommandKind::kRelease};
-  return kKinds[table.Choice("kind", {"move", "grab", "release"}, 0)];
+  return kKinds[table.Choice("kind", {"move", "grab", "release"}, 0).value_or(0)];
 }
 
 // Reports entities that stand for two things.
