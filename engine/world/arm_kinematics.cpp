@@ -8,10 +8,10 @@ namespace aerascope {
 namespace {
 
 constexpr int kMaxIterations = 150;
-constexpr double kEnoughPosition = 1e-9;   // metres
-constexpr double kEnoughRotation = 1e-8;   // radians
-constexpr double kRotationWeight = 0.3;    // metres that count as much as one radian
-constexpr double kMaxStep = 0.3;           // radians (or metres) of one joint in one iteration
+constexpr double kEnoughPosition = 1e-9;  // metres
+constexpr double kEnoughRotation = 1e-8;  // radians
+constexpr double kRotationWeight = 0.3;   // metres that count as much as one radian
+constexpr double kMaxStep = 0.3;          // radians (or metres) of one joint in one iteration
 constexpr double kLeastDamping = 1e-10;
 constexpr double kDampingPerError = 0.05;
 
@@ -55,7 +55,8 @@ ArmKinematics::Deviation ArmKinematics::Measure(const ToolPose& target, std::spa
   const Eigen::Map<const Eigen::Vector3d> position(data.site_xpos + 3 * tool_site_);
   const Eigen::Matrix3d orientation = Eigen::Map<const Rows>(data.site_xmat + 9 * tool_site_, 3, 3);
 
-  // The rotation error is taken in the tool's own frame: its third part is the yaw, dropped for arms without a sixth joint.
+  // The rotation error is taken in the tool's own frame: its third part is the yaw, dropped for arms without
+  // a sixth joint.
   const Eigen::AngleAxisd turn(orientation.transpose() * Orientation(target.yaw_rad));
   const Eigen::Vector3d rotation_error = turn.angle() * turn.axis();
   const int rotations = arm_.size() >= 6 ? 3 : 2;

@@ -1,5 +1,5 @@
-// Inverse kinematics of an arm: joint positions that bring the tool to a place, pointing straight down. Damped least
-// squares on MuJoCo's Jacobians. With fewer than six joints the tool's yaw is left free.
+// Inverse kinematics of an arm: joint positions that bring the tool to a place, pointing straight down.
+// Damped least squares on MuJoCo's Jacobians. With fewer than six joints the tool's yaw is left free.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace aerascope {
 
-// Where the tool site should be. Its z axis points down, its x axis along yaw (counter-clockwise from the world's x).
+// Where the tool site should be. Its z axis points down, its x axis along yaw (counter-clockwise from the
+// world's x).
 struct ToolPose {
   std::array<double, 3> position_m{};
   double yaw_rad = 0;
@@ -32,8 +33,8 @@ class ArmKinematics {
   // The model must outlive this.
   ArmKinematics(const mjModel& model, const MujocoBinding& binding);
 
-  // The search starts from the given joint positions and keeps to the joints' ranges. When the pose cannot be reached, the
-  // solution is as near as the search came.
+  // The search starts from the given joint positions and keeps to the joints' ranges. When the pose cannot be
+  // reached, the solution is as near as the search came.
   IkSolution Solve(const ToolPose& target, std::span<const double> start);
 
  private:

@@ -21,7 +21,9 @@ struct Triangles {
   std::vector<std::int32_t> faces;
 };
 
-void Append(const aiVector3D& vector, std::vector<float>& out) { out.insert(out.end(), {vector.x, vector.y, vector.z}); }
+void Append(const aiVector3D& vector, std::vector<float>& out) {
+  out.insert(out.end(), {vector.x, vector.y, vector.z});
+}
 
 Triangles Merged(const aiScene& scene) {
   Triangles merged;
@@ -35,7 +37,8 @@ Triangles Merged(const aiScene& scene) {
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
       const aiFace& face = mesh.mFaces[i];
       if (face.mNumIndices != 3) continue;  // points and lines have no surface
-      for (unsigned k = 0; k < 3; ++k) merged.faces.push_back(first + static_cast<std::int32_t>(face.mIndices[k]));
+      for (unsigned k = 0; k < 3; ++k)
+        merged.faces.push_back(first + static_cast<std::int32_t>(face.mIndices[k]));
     }
   }
   return merged;
@@ -70,18 +73,20 @@ Result<std::string> ConvertMesh(const std::string& bytes, const std::string& nam
   Assimp::Importer importer;
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, kSmoothingAngleDegrees);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene = importer.ReadFileFromMemory(
-      bytes.data(), bytes.size(),
-      aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices,
-      Ending(name).c_str());
+  const aiScene* scene =
+      importer.ReadFileFromMemory(bytes.data(), bytes.size(),
+                                  aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
+                                      aiProcess_GenSmoothNormals | aiProcess_PreTransformVertices,
+                                  Ending(name).c_str());
   if (!scene) {
-    return Error{name + ": expected a mesh in a format assimp can read, but it says: " + importer.GetErrorString()};
+    return Error{name +
+                 ": expected a mesh in a format assimp can read, but it says: " + importer.GetErrorString()};
   }
   const Triangles mesh = Merged(*scene);
   const std::size_t faces = mesh.faces.size() / 3;
   if (faces == 0 || faces > kMujocoMaxFaces) {
-    return Error{name + ": expected a mesh with 1 to " + std::to_string(kMujocoMaxFaces) + " triangles, found " +
-                 std::to_string(faces)};
+    return Error{name + ": expected a mesh with 1 to " + std::to_string(kMujocoMaxFaces) +
+                 " triangles, found " + std::to_string(faces)};
   }
   return WriteMsh(mesh);
 }

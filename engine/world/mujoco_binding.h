@@ -10,7 +10,8 @@
 
 namespace aerascope {
 
-// A joint of the arm and the position actuator that drives it: force = stiffness * (control - gear * joint position).
+// A joint of the arm and the position actuator that drives it: force = stiffness * (control - gear * joint
+// position).
 struct ArmJoint {
   int joint = 0;
   int qpos_address = 0;

@@ -21,7 +21,8 @@ double SmallestHalfSize(const mjModel* model, int geom) {
   return std::min({size[0], size[1], size[2]});
 }
 
-int BoxBox(const mjModel* model, const mjData* data, mjContact* contacts, int geom_1, int geom_2, mjtNum margin) {
+int BoxBox(const mjModel* model, const mjData* data, mjContact* contacts, int geom_1, int geom_2,
+           mjtNum margin) {
   const int count = original_box_box(model, data, contacts, geom_1, geom_2, margin);
   const double deepest = -2 * std::min(SmallestHalfSize(model, geom_1), SmallestHalfSize(model, geom_2));
   mjContact* end = std::remove_if(contacts, contacts + count,
@@ -31,14 +32,16 @@ int BoxBox(const mjModel* model, const mjData* data, mjContact* contacts, int ge
   return kept;
 }
 
-int PlaneCylinder(const mjModel* model, const mjData* data, mjContact* contacts, int plane, int cylinder, mjtNum margin) {
+int PlaneCylinder(const mjModel* model, const mjData* data, mjContact* contacts, int plane, int cylinder,
+                  mjtNum margin) {
   const mjtNum* plane_axes = data->geom_xmat + 9 * plane;
   const mjtNum* axes = data->geom_xmat + 9 * cylinder;
   const mjtNum normal[3] = {plane_axes[2], plane_axes[5], plane_axes[8]};
   const mjtNum axis[3] = {axes[2], axes[5], axes[8]};
   mjtNum sine[3];
   mju_cross(sine, normal, axis);
-  if (mju_norm3(sine) > kUprightSine) return original_plane_cylinder(model, data, contacts, plane, cylinder, margin);
+  if (mju_norm3(sine) > kUprightSine)
+    return original_plane_cylinder(model, data, contacts, plane, cylinder, margin);
 
   const double radius = model->geom_size[3 * cylinder];
   const double half_height = model->geom_size[3 * cylinder + 1];
@@ -75,6 +78,8 @@ void InstallMujocoCollisionFixes() {
   });
 }
 
-int DroppedBoxContacts() { return dropped_box_contacts; }
+int DroppedBoxContacts() {
+  return dropped_box_contacts;
+}
 
 }  // namespace aerascope

@@ -8,7 +8,9 @@ namespace {
 // MuJoCo gives its handlers no context, so what they collect has to be found by the thread they run in.
 thread_local std::vector<std::string> warnings;
 
-void OnError(const char* message) { throw MujocoError(message); }
+void OnError(const char* message) {
+  throw MujocoError(message);
+}
 
 void OnWarning(const char* message) {
   if (warnings.size() < 100) warnings.emplace_back(message);

@@ -1,5 +1,6 @@
-// MuJoCo reports trouble through two global function pointers; by default it waits for a key and ends the process.
-// Ours throw an exception, which the code of this folder catches at its border, and collect the warnings.
+// MuJoCo reports trouble through two global function pointers; by default it waits for a key and ends the
+// process. Ours throw an exception, which the code of this folder catches at its border, and collect the
+// warnings.
 #pragma once
 
 #include <stdexcept>

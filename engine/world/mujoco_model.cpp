@@ -30,7 +30,8 @@ Result<std::string> ReadFile(const std::string& path) {
   return std::move(bytes).str();
 }
 
-// --- a lexical look at XML: start tags and where their attribute values stand ---------------------------------------
+// --- a lexical look at XML: start tags and where their attribute values stand
+// ---------------------------------------
 
 struct XmlAttribute {
   std::string name;
@@ -51,7 +52,9 @@ struct XmlTag {
   }
 };
 
-bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool IsSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 std::size_t SkipSpace(const std::string& text, std::size_t at) {
   while (at < text.size() && IsSpace(text[at])) ++at;
@@ -101,7 +104,8 @@ std::vector<XmlTag> StartTags(const std::string& text) {
       skip_past("-->");
     } else if (text.compare(at, 9, "<![CDATA[") == 0) {
       skip_past("]]>");
-    } else if (text.compare(at, 2, "<?") == 0 || text.compare(at, 2, "<!") == 0 || text.compare(at, 2, "</") == 0) {
+    } else if (text.compare(at, 2, "<?") == 0 || text.compare(at, 2, "<!") == 0 ||
+               text.compare(at, 2, "</") == 0) {
       skip_past(">");
     } else {
       std::optional<XmlTag> tag = ReadTag(text, at + 1);
@@ -113,9 +117,11 @@ std::vector<XmlTag> StartTags(const std::string& text) {
   return tags;
 }
 
-// --- packing --------------------------------------------------------------------------------------------------------
+// --- packing
+// --------------------------------------------------------------------------------------------------------
 
-constexpr const char* kTextureFiles[] = {"file", "fileright", "fileleft", "fileup", "filedown", "filefront", "fileback"};
+constexpr const char* kTextureFiles[] = {"file",     "fileright", "fileleft", "fileup",
+                                         "filedown", "filefront", "fileback"};
 
 class Packer {
  public:
@@ -177,13 +183,16 @@ class Packer {
     return Ok();
   }
 
-  Result<std::string> PackAttribute(const std::string& from, const XmlTag& tag, const XmlAttribute& attribute) {
+  Result<std::string> PackAttribute(const std::string& from, const XmlTag& tag,
+                                    const XmlAttribute& attribute) {
     const std::string& value = attribute.value;
-    if (tag.name == "compiler" && (attribute.name == "meshdir" || attribute.name == "texturedir")) return std::string();
+    if (tag.name == "compiler" && (attribute.name == "meshdir" || attribute.name == "texturedir"))
+      return std::string();
     if (tag.name == "include" && attribute.name == "file") return PackInclude(from, value);
     if (tag.name == "mesh" && attribute.name == "file") return PackMesh(from, value);
-    const bool texture = tag.name == "texture" && std::find(std::begin(kTextureFiles), std::end(kTextureFiles),
-                                                            attribute.name) != std::end(kTextureFiles);
+    const bool texture = tag.name == "texture" &&
+                         std::find(std::begin(kTextureFiles), std::end(kTextureFiles), attribute.name) !=
+                             std::end(kTextureFiles);
     if (texture) return PackFile(from, texture_folder_, value);
     if ((tag.name == "hfield" || tag.name == "skin") && attribute.name == "file") {
       return PackFile(from, mesh_folder_, value);
@@ -252,7 +261,8 @@ class Packer {
   std::set<std::string> taken_;
 };
 
-// --- loading --------------------------------------------------------------------------------------------------------
+// --- loading
+// --------------------------------------------------------------------------------------------------------
 
 // 2 MB of fixed tables: always on the heap.
 class VirtualFiles {
@@ -264,10 +274,13 @@ class VirtualFiles {
 
   Status Add(const std::string& name, const std::string& bytes) {
     if (bytes.size() > 0x7fffffff) return Error{name + ": expected a file below 2 GiB"};
-    const int answer = bytes.empty() ? 2 : mj_makeEmptyFileVFS(files_.get(), name.c_str(), static_cast<int>(bytes.size()));
+    const int answer =
+        bytes.empty() ? 2 : mj_makeEmptyFileVFS(files_.get(), name.c_str(), static_cast<int>(bytes.size()));
     if (answer != 0) {
       return Error{name + ": the file cannot be given to MuJoCo: " +
-                   (bytes.empty() ? "it is empty" : answer == 1 ? "there are too many files" : "its name is used twice")};
+                   (bytes.empty() ? "it is empty"
+                    : answer == 1 ? "there are too many files"
+                                  : "its name is used twice")};
     }
     std::memcpy(files_->filedata[mj_findFileVFS(files_.get(), name.c_str())], bytes.data(), bytes.size());
     return Ok();
@@ -281,7 +294,8 @@ class VirtualFiles {
 
 constexpr const char* kModelFile = "aerascope_model.xml";
 
-// MuJoCo's message on one line, e.g. "XML Error: unrecognized attribute: 'sise'; Element 'geom', line 5, column 4".
+// MuJoCo's message on one line, e.g. "XML Error: unrecognized attribute: 'sise'; Element 'geom', line 5,
+// column 4".
 std::string OneLine(const std::string& message) {
   std::string line;
   for (const char c : message) {

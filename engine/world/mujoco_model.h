@@ -20,8 +20,8 @@ struct MujocoDeleter {
 using ModelPointer = std::unique_ptr<mjModel, MujocoDeleter>;
 using DataPointer = std::unique_ptr<mjData, MujocoDeleter>;
 
-// An MJCF text and the files it names, ready for mj_loadXML with a virtual file system: meshes are in MuJoCo's own
-// format. Lines are as in the original text, so that MuJoCo's error messages stay true.
+// An MJCF text and the files it names, ready for mj_loadXML with a virtual file system: meshes are in
+// MuJoCo's own format. Lines are as in the original text, so that MuJoCo's error messages stay true.
 struct PackedModel {
   std::string name;  // of the file, for messages
   std::string text;

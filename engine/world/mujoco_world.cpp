@@ -30,7 +30,9 @@ constexpr double kYieldSeconds = 0.06;
 // The peak of a minimum-jerk motion over its mean speed.
 constexpr double kPeakOverMean = 1.875;
 
-double MinimumJerk(double t) { return t * t * t * (10 + t * (6 * t - 15)); }
+double MinimumJerk(double t) {
+  return t * t * t * (10 + t * (6 * t - 15));
+}
 
 double Distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -77,7 +79,9 @@ class MujocoWorld final : public World {
   Status ReachHome();
 
   Time Now() const { return TimeAtStep(steps_); }
-  Time TimeAtStep(std::int64_t step) const { return {std::llround(static_cast<double>(step) * model_->opt.timestep * 1e6)}; }
+  Time TimeAtStep(std::int64_t step) const {
+    return {std::llround(static_cast<double>(step) * model_->opt.timestep * 1e6)};
+  }
   void Step(const Reference& next);
   void WaitUntil(Time time);
   bool Travel(const Reference& target, double duration_s, double gap_share, bool stop_on_contact);
@@ -114,7 +118,8 @@ class MujocoWorld final : public World {
   ActOutcome* outcome_ = nullptr;   // where the running Act collects states and notes
 };
 
-// --- beginning ------------------------------------------------------------------------------------------------------
+// --- beginning
+// ------------------------------------------------------------------------------------------------------
 
 Status MujocoWorld::Begin() {
   if (Status status = PlaceObjects(); !status) return status;
@@ -147,7 +152,8 @@ Status MujocoWorld::PlaceObjects() {
     do {
       if (++tries > kTries) {
         return Error{"noise: expected a place for the object '" + config_.objects[i].entity + "' at least " +
-                     FormatNumber(noise.min_distance_m) + " m from the others, found none in " + std::to_string(kTries) +
+                     FormatNumber(noise.min_distance_m) + " m from the others, found none in " +
+                     std::to_string(kTries) +
                      " tries; move the objects apart in the model or lower min_distance_m"};
       }
       pose[0] = given[0] + noise.position_m * Centred(generator);
@@ -170,13 +176,16 @@ Status MujocoWorld::ReachHome() {
   if (start.empty()) {
     for (const ArmJoint& joint : binding_.arm) start.push_back(model_->qpos0[joint.qpos_address]);
   }
-  reference_.tool = {{hand.home_position_m[0], hand.home_position_m[1], Height(config_.motion.hover_height_m)}, hand.tool_yaw_rad};
+  reference_.tool = {
+      {hand.home_position_m[0], hand.home_position_m[1], Height(config_.motion.hover_height_m)},
+      hand.tool_yaw_rad};
   reference_.gap_m = hand.start_gap_m;
   const IkSolution solution = kinematics_.Solve(reference_.tool, start);
   if (!solution.reached()) {
-    return Error{"hand: expected a home position that the arm can reach, found (" + FormatNumber(hand.home_position_m[0]) + ", " +
-                 FormatNumber(hand.home_position_m[1]) + "), which it misses by " +
-                 FormatNumber(solution.position_error_m, 3) + " m and " + FormatNumber(solution.rotation_error_rad, 3) +
+    return Error{"hand: expected a home position that the arm can reach, found (" +
+                 FormatNumber(hand.home_position_m[0]) + ", " + FormatNumber(hand.home_position_m[1]) +
+                 "), which it misses by " + FormatNumber(solution.position_error_m, 3) + " m and " +
+                 FormatNumber(solution.rotation_error_rad, 3) +
                  " rad; change home_position, hover_height, tool_yaw or home_posture"};
   }
   joints_ = solution.joints;
@@ -186,10 +195,11 @@ Status MujocoWorld::ReachHome() {
   return Ok();
 }
 
-// --- motion ---------------------------------------------------------------------------------------------------------
+// --- motion
+// ---------------------------------------------------------------------------------------------------------
 
-// One step of physics towards the next reference. The servos get, besides the position, the force that the reference
-// motion needs (inertia, gravity, damping), so that the arm follows without hanging back.
+// One step of physics towards the next reference. The servos get, besides the position, the force that the
+// reference motion needs (inertia, gravity, damping), so that the arm follows without hanging back.
 void MujocoWorld::Step(const Reference& next) {
   mjModel& model = *model_;
   mjData& data = *data_;
@@ -207,19 +217,22 @@ void MujocoWorld::Step(const Reference& next) {
     mj_mulM(&model, &data, force.data(), acceleration.data());
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const ArmJoint& joint = binding_.arm[i];
-      const double push = force[joint.dof_address] + data.qfrc_bias[joint.dof_address] + model.dof_damping[joint.dof_address] * velocities_[i];
+      const double push = force[joint.dof_address] + data.qfrc_bias[joint.dof_address] +
+                          model.dof_damping[joint.dof_address] * velocities_[i];
       data.ctrl[joint.actuator] = joint.gear * joints_[i] + push / (joint.gear * joint.stiffness);
     }
   } else {
     std::fill(velocities_.begin(), velocities_.end(), 0);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const ArmJoint& joint = binding_.arm[i];
-      data.ctrl[joint.actuator] = joint.gear * joints_[i] + data.qfrc_bias[joint.dof_address] / (joint.gear * joint.stiffness);
+      data.ctrl[joint.actuator] =
+          joint.gear * joints_[i] + data.qfrc_bias[joint.dof_address] / (joint.gear * joint.stiffness);
     }
   }
   for (std::size_t i = 0; i < binding_.finger_actuators.size(); ++i) {
     const FingerActuator& finger = config_.hand.finger_actuators[i];
-    data.ctrl[binding_.finger_actuators[i]] = finger.control_at_zero_gap + finger.control_per_gap * next.gap_m;
+    data.ctrl[binding_.finger_actuators[i]] =
+        finger.control_at_zero_gap + finger.control_per_gap * next.gap_m;
   }
   reference_ = next;
   mj_step(&model, &data);
@@ -227,7 +240,9 @@ void MujocoWorld::Step(const Reference& next) {
 
   if (!outcome_) return;
   const double period_us = 1e6 / config_.recorded_states_per_s;
-  const auto periods = [&](Time time) { return std::floor((static_cast<double>(time.us) + 0.5) / period_us); };
+  const auto periods = [&](Time time) {
+    return std::floor((static_cast<double>(time.us) + 0.5) / period_us);
+  };
   if (periods(Now()) > periods(TimeAtStep(steps_ - 1))) outcome_->states.push_back(State());
 }
 
@@ -235,8 +250,8 @@ void MujocoWorld::WaitUntil(Time time) {
   while (TimeAtStep(steps_ + 1) <= time) Step(reference_);
 }
 
-// Moves the reference to the target on a straight line. The gap changes within the first part of the way. True if the
-// way was cut short because the tool hung back: it stands on something.
+// Moves the reference to the target on a straight line. The gap changes within the first part of the way.
+// True if the way was cut short because the tool hung back: it stands on something.
 bool MujocoWorld::Travel(const Reference& target, double duration_s, double gap_share, bool stop_on_contact) {
   const Reference from = reference_;
   const auto count = std::max<long long>(1, std::llround(duration_s / model_->opt.timestep));
@@ -247,7 +262,8 @@ bool MujocoWorld::Travel(const Reference& target, double duration_s, double gap_
     Reference next = target;
     if (i < count) {
       for (int k = 0; k < 3; ++k) {
-        next.tool.position_m[k] = from.tool.position_m[k] + way * (target.tool.position_m[k] - from.tool.position_m[k]);
+        next.tool.position_m[k] =
+            from.tool.position_m[k] + way * (target.tool.position_m[k] - from.tool.position_m[k]);
       }
       next.gap_m = from.gap_m + opening * (target.gap_m - from.gap_m);
     }
@@ -272,9 +288,12 @@ bool MujocoWorld::TooFast(double way_m, double duration_s) const {
   return kPeakOverMean * way_m > config_.motion.max_tool_speed_m_per_s * duration_s;
 }
 
-bool MujocoWorld::Reachable(const ToolPose& tool) { return kinematics_.Solve(tool, joints_).reached(); }
+bool MujocoWorld::Reachable(const ToolPose& tool) {
+  return kinematics_.Solve(tool, joints_).reached();
+}
 
-// --- commands -------------------------------------------------------------------------------------------------------
+// --- commands
+// -------------------------------------------------------------------------------------------------------
 
 std::optional<Term> MujocoWorld::Refuse(const Term& command, const std::string& reason) {
   outcome_->notes.push_back(ToText(command) + " was not carried out: " + reason);
@@ -290,7 +309,8 @@ std::optional<Term> MujocoWorld::Carry(const Term& command, double duration_s) {
   const Term& arguments = command[1];
   const std::size_t expected = motion->kind == CommandKind::kMove ? 2 : 1;
   if (!arguments.is(TermKind::kSet) || arguments.size() != expected) {
-    return Refuse(command, "expected " + std::to_string(expected) + (expected == 1 ? " argument" : " arguments"));
+    return Refuse(command,
+                  "expected " + std::to_string(expected) + (expected == 1 ? " argument" : " arguments"));
   }
   if (arguments[0] != Term::Entity(config_.hand.entity)) {
     return Refuse(command, "expected the hand " + config_.hand.entity + " as first argument");
@@ -307,8 +327,9 @@ std::optional<Term> MujocoWorld::Carry(const Term& command, double duration_s) {
 }
 
 std::optional<Term> MujocoWorld::CarryMove(const Term& command, const Term& delta, double duration_s) {
-  const bool is_vector = delta.IsStruct("vec2") && delta.size() == 2 && delta[0].is(TermKind::kNumber) && delta[1].is(TermKind::kNumber) &&
-                         std::isfinite(delta[0].number()) && std::isfinite(delta[1].number());
+  const bool is_vector = delta.IsStruct("vec2") && delta.size() == 2 && delta[0].is(TermKind::kNumber) &&
+                         delta[1].is(TermKind::kNumber) && std::isfinite(delta[0].number()) &&
+                         std::isfinite(delta[1].number());
   if (!is_vector) return Refuse(command, "expected a delta (vec2 x y)");
   const std::array<double, 2> before = hand_sensor_.Report(ToolPlace());
   Reference target = reference_;
@@ -316,27 +337,33 @@ std::optional<Term> MujocoWorld::CarryMove(const Term& command, const Term& delt
   bool clipped = false;
   for (int k = 0; k < 2; ++k) {
     const double wanted = reference_.tool.position_m[k] + delta[k].number();
-    target.tool.position_m[k] = std::clamp(wanted, config_.motion.workspace_min_m[k], config_.motion.workspace_max_m[k]);
+    target.tool.position_m[k] =
+        std::clamp(wanted, config_.motion.workspace_min_m[k], config_.motion.workspace_max_m[k]);
     clipped = clipped || std::abs(target.tool.position_m[k] - wanted) > 1e-9;
   }
   ToolPose down = target.tool;
   down.position_m[2] = Height(config_.motion.grasp_height_m);
   if (!Reachable(target.tool) || !Reachable(down)) return Refuse(command, "the arm cannot reach that place");
   const double way_m = Distance(target.tool.position_m, reference_.tool.position_m);
-  if (TooFast(way_m, kMoveShare * duration_s)) return Refuse(command, "the way is too long for the time it is given");
+  if (TooFast(way_m, kMoveShare * duration_s))
+    return Refuse(command, "the way is too long for the time it is given");
 
   const Time end = Now() + Duration{std::llround(duration_s * 1e6)};
   Travel(target, kMoveShare * duration_s, 1, false);
   WaitUntil(end);
   const std::array<double, 2> after = hand_sensor_.Report(ToolPlace());
   const double resolution_m = config_.sensors.resolution_m;
-  const Term moved = PlaneVector({GridValue(std::llround((after[0] - before[0]) / resolution_m), resolution_m),
-                                  GridValue(std::llround((after[1] - before[1]) / resolution_m), resolution_m)});
-  if (clipped) outcome_->notes.push_back(ToText(command) + " was cut to " + ToText(moved) + ": the workspace ends there");
+  const Term moved =
+      PlaneVector({GridValue(std::llround((after[0] - before[0]) / resolution_m), resolution_m),
+                   GridValue(std::llround((after[1] - before[1]) / resolution_m), resolution_m)});
+  if (clipped)
+    outcome_->notes.push_back(ToText(command) + " was cut to " + ToText(moved) +
+                              ": the workspace ends there");
   return MakeCommand(command[0], {command[1][0], moved});
 }
 
-std::optional<Term> MujocoWorld::CarryGrab(const Term& command, const MotionCommand& motion, double duration_s) {
+std::optional<Term> MujocoWorld::CarryGrab(const Term& command, const MotionCommand& motion,
+                                           double duration_s) {
   if (!HeldObjects().empty()) return Refuse(command, "the hand holds something");
   const Reference hover = reference_;
   Reference down = hover;
@@ -358,7 +385,8 @@ std::optional<Term> MujocoWorld::CarryGrab(const Term& command, const MotionComm
   return command;
 }
 
-std::optional<Term> MujocoWorld::CarryRelease(const Term& command, const MotionCommand& motion, double duration_s) {
+std::optional<Term> MujocoWorld::CarryRelease(const Term& command, const MotionCommand& motion,
+                                              double duration_s) {
   const Reference hover = reference_;
   const bool holds = !HeldObjects().empty();
   Reference down = hover;
@@ -406,7 +434,8 @@ Result<ActOutcome> MujocoWorld::Act(std::span<const Term> commands, TimeInterval
 // MuJoCo answers a broken state with a warning and a silent reset; here it ends the episode.
 Status MujocoWorld::CheckHealth() {
   TakeMujocoWarnings();
-  for (const int warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_BADCTRL, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL}) {
+  for (const int warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_BADCTRL,
+                            mjWARN_CONTACTFULL, mjWARN_CNSTRFULL}) {
     if (data_->warning[warning].number == 0) continue;
     return Error{packed_.name + ": the physics went wrong at " + ToText(Now()) + ": " +
                  Printable(mju_warningText(warning, data_->warning[warning].lastinfo))};
@@ -414,7 +443,8 @@ Status MujocoWorld::CheckHealth() {
   return Ok();
 }
 
-// --- sensors --------------------------------------------------------------------------------------------------------
+// --- sensors
+// --------------------------------------------------------------------------------------------------------
 
 std::array<double, 2> MujocoWorld::ToolPlace() const {
   const mjtNum* place = data_->site_xpos + 3 * binding_.tool_site;
@@ -442,7 +472,8 @@ std::vector<std::size_t> MujocoWorld::HeldObjects() const {
   }
   std::vector<std::size_t> held;
   for (std::size_t object = 0; object < touched.size(); ++object) {
-    if (std::find(touched[object].begin(), touched[object].end(), false) == touched[object].end()) held.push_back(object);
+    if (std::find(touched[object].begin(), touched[object].end(), false) == touched[object].end())
+      held.push_back(object);
   }
   return held;
 }
@@ -456,7 +487,9 @@ Result<std::vector<Fact>> MujocoWorld::Observe(TimeInterval frame) {
 
   std::vector<Fact> facts;
   facts.push_back({true, MakeValue(hand, position, PlaneVector(hand_sensor_.Report(ToolPlace()))), frame, 1});
-  facts.push_back({true, MakeValue(hand, Term::Ontology(sensors.holding_attribute), Term::Set(std::move(held))), frame, 1});
+  facts.push_back({true,
+                   MakeValue(hand, Term::Ontology(sensors.holding_attribute), Term::Set(std::move(held))),
+                   frame, 1});
   for (std::size_t i = 0; i < config_.objects.size(); ++i) {
     const Term place = PlaneVector(object_sensors_[i].Report(ObjectPlace(i)));
     facts.push_back({true, MakeValue(Term::Entity(config_.objects[i].entity), position, place), frame, 1});
@@ -466,9 +499,11 @@ Result<std::vector<Fact>> MujocoWorld::Observe(TimeInterval frame) {
 
 std::vector<Fact> MujocoWorld::Properties() const {
   std::vector<Fact> facts;
-  for (const EntityProperty& property : config_.hand.properties) facts.push_back(PropertyFact(config_.hand.entity, property));
+  for (const EntityProperty& property : config_.hand.properties)
+    facts.push_back(PropertyFact(config_.hand.entity, property));
   for (const ObjectConfig& object : config_.objects) {
-    for (const EntityProperty& property : object.properties) facts.push_back(PropertyFact(object.entity, property));
+    for (const EntityProperty& property : object.properties)
+      facts.push_back(PropertyFact(object.entity, property));
   }
   return facts;
 }
@@ -476,7 +511,10 @@ std::vector<Fact> MujocoWorld::Properties() const {
 WorldState MujocoWorld::State() const {
   const mjModel& model = *model_;
   const mjData& data = *data_;
-  return {Now(), {data.qpos, data.qpos + model.nq}, {data.qvel, data.qvel + model.nv}, {data.ctrl, data.ctrl + model.nu}};
+  return {Now(),
+          {data.qpos, data.qpos + model.nq},
+          {data.qvel, data.qvel + model.nv},
+          {data.ctrl, data.ctrl + model.nu}};
 }
 
 WorldDescription MujocoWorld::Description() const {
@@ -496,8 +534,9 @@ Result<std::unique_ptr<World>> MakeMujocoWorld(const MujocoWorldConfig& config) 
                  std::string(config.model_path.empty() ? "neither" : "both")};
   }
   InstallMujocoCollisionFixes();
-  Result<PackedModel> packed =
-      config.model_path.empty() ? PackModelText(config.model_text, config.model_assets) : PackModelFile(config.model_path);
+  Result<PackedModel> packed = config.model_path.empty()
+                                   ? PackModelText(config.model_text, config.model_assets)
+                                   : PackModelFile(config.model_path);
   if (!packed) return packed.error();
   Result<ModelPointer> model = LoadModel(*packed);
   if (!model) return model.error();

@@ -1,5 +1,6 @@
-// ScriptedWorld is a 1-D emulation of the pick-and-place world: hand and objects are at numbers, commands act at once
-// and exactly, and a table of rules says which grab holds what. For fast tests of reasoning; there is no physics.
+// ScriptedWorld is a 1-D emulation of the pick-and-place world: hand and objects are at numbers, commands act
+// at once and exactly, and a table of rules says which grab holds what. For fast tests of reasoning; there is
+// no physics.
 #pragma once
 
 #include <string>
@@ -19,7 +20,8 @@ struct ScriptedObject {
 struct ScriptedCommand {
   std::string name;
   CommandKind kind = CommandKind::kMove;
-  // Of a grab: holds an object at the hand's position that has one of these properties; without any, every object.
+  // Of a grab: holds an object at the hand's position that has one of these properties; without any, every
+  // object.
   std::vector<EntityProperty> holds;
 };
 

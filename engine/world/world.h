@@ -1,9 +1,9 @@
-// A World is what the agent senses and acts in: it turns its state into facts each frame, carries out commands, and
-// can describe itself completely, so that an episode file needs nothing else to show it again.
+// A World is what the agent senses and acts in: it turns its state into facts each frame, carries out
+// commands, and can describe itself completely, so that an episode file needs nothing else to show it again.
 //
-// Not thread-safe: one thread uses a world. Always true: (1) the same configuration and the same calls give the same
-// answers; (2) facts come in one fixed order, the hand first, then the objects as configured; (3) what Act says was
-// executed is what was really done, not what was asked for.
+// Not thread-safe: one thread uses a world. Always true: (1) the same configuration and the same calls give
+// the same answers; (2) facts come in one fixed order, the hand first, then the objects as configured; (3)
+// what Act says was executed is what was really done, not what was asked for.
 #pragma once
 
 #include <memory>
@@ -18,8 +18,8 @@
 
 namespace aerascope {
 
-// Enough to draw one moment again. In the scripted world, qpos holds the positions (the hand first) and ctrl says for
-// each object whether it is held.
+// Enough to draw one moment again. In the scripted world, qpos holds the positions (the hand first) and ctrl
+// says for each object whether it is held.
 struct WorldState {
   Time time;
   std::vector<double> qpos;
@@ -37,8 +37,8 @@ struct WorldAsset {
   bool operator==(const WorldAsset&) const = default;
 };
 
-// Everything needed to build the scene again elsewhere. For MuJoCo, `model_text` is MJCF which names only the assets
-// given here, all of them in formats that MuJoCo itself reads.
+// Everything needed to build the scene again elsewhere. For MuJoCo, `model_text` is MJCF which names only the
+// assets given here, all of them in formats that MuJoCo itself reads.
 struct WorldDescription {
   std::string kind;  // "mujoco" or "scripted"
   std::string model_text;

@@ -9,7 +9,8 @@
 
 namespace aerascope {
 
-// A fact that never changes: (mk.val <entity> <attribute> <value>), attribute and value being ontology symbols.
+// A fact that never changes: (mk.val <entity> <attribute> <value>), attribute and value being ontology
+// symbols.
 struct EntityProperty {
   std::string attribute;
   std::string value;

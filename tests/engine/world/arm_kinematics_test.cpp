@@ -13,7 +13,8 @@ namespace {
 
 struct Arm {
   explicit Arm(const MujocoWorldConfig& config)
-      : model(std::move(*LoadModel(*PackModelFile(config.model_path)))), binding(*BindModel(*model, config)) {}
+      : model(std::move(*LoadModel(*PackModelFile(config.model_path)))),
+        binding(*BindModel(*model, config)) {}
   ModelPointer model;
   MujocoBinding binding;
 };
@@ -39,10 +40,13 @@ TEST(ArmKinematics, EveryPlaceOfTheWorkspaceIsReachedWithinAMillimetre) {
   const Arm arm(config);
   ArmKinematics kinematics(*arm.model, arm.binding);
   for (double height : {config.motion.grasp_height_m, config.motion.hover_height_m}) {
-    for (double x = config.motion.workspace_min_m[0]; x <= config.motion.workspace_max_m[0] + 1e-9; x += 0.04) {
-      for (double y = config.motion.workspace_min_m[1]; y <= config.motion.workspace_max_m[1] + 1e-9; y += 0.022) {
+    for (double x = config.motion.workspace_min_m[0]; x <= config.motion.workspace_max_m[0] + 1e-9;
+         x += 0.04) {
+      for (double y = config.motion.workspace_min_m[1]; y <= config.motion.workspace_max_m[1] + 1e-9;
+           y += 0.022) {
         const IkSolution solution = kinematics.Solve({{x, y, height}, 0.3}, config.hand.home_posture);
-        ASSERT_TRUE(solution.reached()) << x << " " << y << " " << height << " misses by " << solution.position_error_m;
+        ASSERT_TRUE(solution.reached())
+            << x << " " << y << " " << height << " misses by " << solution.position_error_m;
         const Tool tool = ToolWith(arm, solution.joints);
         EXPECT_LT(std::hypot(tool.position[0] - x, tool.position[1] - y, tool.position[2] - height), 1e-5);
         EXPECT_NEAR(tool.approach[2], -1, 1e-6);

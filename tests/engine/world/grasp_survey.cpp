@@ -1,5 +1,5 @@
-// Prints, over many seeds of pose noise, how often each grab holds each object, whether what was held can be carried and set
-// down again, and how the reports of places behaved on the way.
+// Prints, over many seeds of pose noise, how often each grab holds each object, whether what was held can be
+// carried and set down again, and how the reports of places behaved on the way.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -29,7 +29,8 @@ double Speed(const World& world, std::size_t object) {
   return std::hypot(state.qvel[at], state.qvel[at + 1], state.qvel[at + 2]);
 }
 
-void Try(const MujocoWorldConfig& config, Duration frame, std::size_t object, const std::string& grab, Tally& tally) {
+void Try(const MujocoWorldConfig& config, Duration frame, std::size_t object, const std::string& grab,
+         Tally& tally) {
   auto world = MakeMujocoWorld(config);
   if (!world) {
     std::printf("%s\n", world.error().message.c_str());
@@ -40,8 +41,9 @@ void Try(const MujocoWorldConfig& config, Duration frame, std::size_t object, co
   driver.Do({});
   const auto moved = driver.MoveTo(name);
   if (moved.executed.size() != 1 || driver.Value("h", "position") != driver.Value(name, "position")) {
-    std::printf("seed %llu: %s at %s, hand at %s\n", static_cast<unsigned long long>(config.noise.seed), name.c_str(),
-                ToText(driver.Value(name, "position")).c_str(), ToText(driver.Value("h", "position")).c_str());
+    std::printf("seed %llu: %s at %s, hand at %s\n", static_cast<unsigned long long>(config.noise.seed),
+                name.c_str(), ToText(driver.Value(name, "position")).c_str(),
+                ToText(driver.Value("h", "position")).c_str());
     for (const auto& note : moved.notes) std::printf("  %s\n", note.c_str());
   }
   std::vector<Term> places;
@@ -49,7 +51,8 @@ void Try(const MujocoWorldConfig& config, Duration frame, std::size_t object, co
   const auto before = TruePlace(**world, object);
   driver.Command(grab);
   const bool held = driver.Holding() == "[" + name + "]";
-  const bool kept_1 = driver.Value("h", "position") == places[object] && driver.Value(name, "position") == places[object];
+  const bool kept_1 =
+      driver.Value("h", "position") == places[object] && driver.Value(name, "position") == places[object];
   tally.grabbed += driver.Holding() != "[]";
   tally.lifted += TruePlace(**world, object)[2] > before[2] + 0.1;
   tally.worst_speed = std::max(tally.worst_speed, Speed(**world, object));
@@ -58,11 +61,13 @@ void Try(const MujocoWorldConfig& config, Duration frame, std::size_t object, co
     tally.released += driver.Holding() == "[]";
     const auto after = TruePlace(**world, object);
     tally.back_in_place += std::abs(after[2] - before[2]) < 0.003;
-    tally.worst_drift_m = std::max(tally.worst_drift_m, std::hypot(after[0] - before[0], after[1] - before[1]));
+    tally.worst_drift_m =
+        std::max(tally.worst_drift_m, std::hypot(after[0] - before[0], after[1] - before[1]));
     tally.worst_speed = std::max(tally.worst_speed, Speed(**world, object));
   }
   bool kept_2 = kept_1;
-  for (std::size_t i = 0; i < places.size(); ++i) kept_2 = kept_2 && driver.Value(config.objects[i].entity, "position") == places[i];
+  for (std::size_t i = 0; i < places.size(); ++i)
+    kept_2 = kept_2 && driver.Value(config.objects[i].entity, "position") == places[i];
   tally.places_kept += kept_2;
   if (!held) return;
   // Grab again, carry towards the middle, look.
@@ -73,8 +78,11 @@ void Try(const MujocoWorldConfig& config, Duration frame, std::size_t object, co
   const Term now = driver.Value(name, "position");
   if (std::getenv("SURVEY_DETAILS")) {
     const auto place = TruePlace(**world, object);
-    std::printf("  %s from %s true (%.4f %.4f) by (%g, -0.025) to %s, hand %s, true (%.4f %.4f %.4f), holding %s\n", name.c_str(), ToText(at).c_str(), before[0], before[1], dx,
-                ToText(now).c_str(), ToText(driver.Value("h", "position")).c_str(), place[0], place[1], place[2], driver.Holding().c_str());
+    std::printf(
+        "  %s from %s true (%.4f %.4f) by (%g, -0.025) to %s, hand %s, true (%.4f %.4f %.4f), holding %s\n",
+        name.c_str(), ToText(at).c_str(), before[0], before[1], dx, ToText(now).c_str(),
+        ToText(driver.Value("h", "position")).c_str(), place[0], place[1], place[2],
+        driver.Holding().c_str());
   }
   tally.carried += driver.Holding() == "[" + name + "]" && now == driver.Value("h", "position") &&
                    std::abs(now[0].number() - at[0].number() - dx) < 1e-6;
@@ -84,8 +92,8 @@ int Main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 50;
   const double frame_s = argc > 2 ? std::atof(argv[2]) : 1;
   const Duration frame{std::llround(frame_s * 1e6)};
-  std::printf("%-5s %-12s %9s %7s %9s %9s %7s %12s %11s %11s\n", "", "", "grabbed", "lifted", "released", "in place", "carried",
-              "places kept", "worst drift", "worst speed");
+  std::printf("%-5s %-12s %9s %7s %9s %9s %7s %12s %11s %11s\n", "", "", "grabbed", "lifted", "released",
+              "in place", "carried", "places kept", "worst drift", "worst speed");
   for (const char* grab : {"grab_type_1", "grab_type_2"}) {
     for (std::size_t object = 0; object < 5; ++object) {
       Tally tally;
@@ -95,9 +103,10 @@ int Main(int argc, char** argv) {
         if (argc > 3) config.noise.yaw_rad = std::atof(argv[3]);
         Try(config, frame, object, grab, tally);
       }
-      std::printf("%-5s %-12s %6d/%-2d %7d %9d %9d %7d %12d %8.1f mm %6.1f mm/s\n", config.objects[object].entity.c_str(), grab, tally.grabbed,
-                  seeds, tally.lifted, tally.released, tally.back_in_place, tally.carried, tally.places_kept, 1e3 * tally.worst_drift_m,
-                  1e3 * tally.worst_speed);
+      std::printf("%-5s %-12s %6d/%-2d %7d %9d %9d %7d %12d %8.1f mm %6.1f mm/s\n",
+                  config.objects[object].entity.c_str(), grab, tally.grabbed, seeds, tally.lifted,
+                  tally.released, tally.back_in_place, tally.carried, tally.places_kept,
+                  1e3 * tally.worst_drift_m, 1e3 * tally.worst_speed);
       std::fflush(stdout);
     }
   }
@@ -107,4 +116,6 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace aerascope
 
-int main(int argc, char** argv) { return aerascope::Main(argc, argv); }
+int main(int argc, char** argv) {
+  return aerascope::Main(argc, argv);
+}

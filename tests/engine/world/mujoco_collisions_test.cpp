@@ -19,7 +19,8 @@ const mjfCollision kOriginalPlaneCylinder = mjCOLLISIONFUNC[mjGEOM_PLANE][mjGEOM
 
 struct Scene {
   explicit Scene(const std::string& geoms)
-      : model(std::move(*LoadModel(*PackModelText("<mujoco><worldbody>" + geoms + "</worldbody></mujoco>", {})))),
+      : model(std::move(
+            *LoadModel(*PackModelText("<mujoco><worldbody>" + geoms + "</worldbody></mujoco>", {})))),
         data(mj_makeData(model.get())) {
     InstallMujocoCollisionFixes();
     mj_forward(model.get(), data.get());
@@ -46,8 +47,10 @@ struct Scene {
 };
 
 TEST(PlaneCylinder, AnUprightCylinderHasThreeContactsInEveryOrientation) {
-  // MuJoCo 2.2 returns none where the direction to the lowest point of the rim is rounding noise along the normal.
-  Scene scene("<geom type='plane' size='1 1 1'/><geom type='cylinder' size='0.033 0.03' pos='0.1 0.2 0.0299'/>");
+  // MuJoCo 2.2 returns none where the direction to the lowest point of the rim is rounding noise along the
+  // normal.
+  Scene scene(
+      "<geom type='plane' size='1 1 1'/><geom type='cylinder' size='0.033 0.03' pos='0.1 0.2 0.0299'/>");
   std::mt19937_64 generator(1);
   const auto centred = [&] { return static_cast<double>(generator() >> 11) * 0x1.0p-52 - 1; };
   int lost_before = 0;
@@ -73,12 +76,14 @@ TEST(PlaneCylinder, ACylinderAboveThePlaneHasNone) {
 TEST(PlaneCylinder, ATiltedOneIsLeftToMujoco) {
   Scene scene("<geom type='plane' size='1 1 1'/><geom type='cylinder' size='0.033 0.03' pos='0 0 0.0299'/>");
   scene.Turn(0.3, 0.2, 0.1);
-  EXPECT_EQ(scene.Contacts(mjCOLLISIONFUNC[mjGEOM_PLANE][mjGEOM_CYLINDER]).size(), scene.Contacts(kOriginalPlaneCylinder).size());
+  EXPECT_EQ(scene.Contacts(mjCOLLISIONFUNC[mjGEOM_PLANE][mjGEOM_CYLINDER]).size(),
+            scene.Contacts(kOriginalPlaneCylinder).size());
 }
 
 TEST(BoxBox, NoContactIsDeeperThanTheBoxes) {
   // A cube resting on a box table: MuJoCo 2.2 returns, in rare poses, contacts as deep as the table is wide.
-  Scene scene("<geom type='box' size='0.35 0.3 0.02' pos='0 0 -0.02'/><geom type='box' size='0.033 0.033 0.033'/>");
+  Scene scene(
+      "<geom type='box' size='0.35 0.3 0.02' pos='0 0 -0.02'/><geom type='box' size='0.033 0.033 0.033'/>");
   std::mt19937_64 generator(2);
   const auto centred = [&] { return static_cast<double>(generator() >> 11) * 0x1.0p-52 - 1; };
   const int dropped_at_first = DroppedBoxContacts();

@@ -1,4 +1,5 @@
-// MuJoCo's errors become exceptions and its warnings are collected; without this it would wait for a key press.
+// MuJoCo's errors become exceptions and its warnings are collected; without this it would wait for a key
+// press.
 #include "engine/world/mujoco_error.h"
 
 #include <gmock/gmock.h>

@@ -14,7 +14,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 std::string LoadError(const std::string& text, std::vector<WorldAsset> files = {}) {
   const Result<PackedModel> packed = PackModelText(text, files);
@@ -46,7 +47,8 @@ TEST(PackModel, PackingAPackedModelChangesNothing) {
 
 TEST(PackModel, AMeshKeepsTheNameItHadByItsFile) {
   const std::string text =
-      "<mujoco><!-- <mesh file='not_me.obj'/> --><asset><mesh file='a/part.obj'/><mesh name=\"other\" file='b/part.obj'/></asset>"
+      "<mujoco><!-- <mesh file='not_me.obj'/> --><asset><mesh file='a/part.obj'/><mesh name=\"other\" "
+      "file='b/part.obj'/></asset>"
       "<worldbody><geom type='mesh' mesh='part'/><geom type='mesh' mesh='other'/></worldbody></mujoco>";
   const std::vector<WorldAsset> files{{"part.obj", kTetrahedron}};
 
@@ -62,9 +64,10 @@ TEST(PackModel, AMeshKeepsTheNameItHadByItsFile) {
 }
 
 TEST(PackModel, IncludedFilesComeAlong) {
-  const std::vector<WorldAsset> files{
-      {"things.xml", "<mujoco><asset><mesh file='part.obj'/></asset><worldbody><geom type='mesh' mesh='part'/></worldbody></mujoco>"},
-      {"part.obj", kTetrahedron}};
+  const std::vector<WorldAsset> files{{"things.xml",
+                                       "<mujoco><asset><mesh file='part.obj'/></asset><worldbody><geom "
+                                       "type='mesh' mesh='part'/></worldbody></mujoco>"},
+                                      {"part.obj", kTetrahedron}};
 
   const Result<PackedModel> packed = PackModelText("<mujoco><include file='things.xml'/></mujoco>", files);
 
@@ -80,7 +83,8 @@ TEST(PackModel, AFileThatIncludesItselfEndsInAnError) {
 }
 
 TEST(PackModel, AMissingMeshIsNamed) {
-  const Result<PackedModel> packed = PackModelText("<mujoco><asset><mesh file='gone.obj'/></asset></mujoco>", {});
+  const Result<PackedModel> packed =
+      PackModelText("<mujoco><asset><mesh file='gone.obj'/></asset></mujoco>", {});
   ASSERT_FALSE(packed.ok());
   EXPECT_THAT(packed.error().message, HasSubstr("gone.obj"));
 }
@@ -91,20 +95,31 @@ TEST(PackModel, AMissingFileOrAFolderIsAnError) {
 }
 
 TEST(LoadModel, AnUnknownAttributeIsReportedWithItsLine) {
-  const std::string message = LoadError("<mujoco>\n<worldbody>\n<geom type=\"box\" sise=\"1 1 1\"/>\n</worldbody>\n</mujoco>");
+  const std::string message =
+      LoadError("<mujoco>\n<worldbody>\n<geom type=\"box\" sise=\"1 1 1\"/>\n</worldbody>\n</mujoco>");
   EXPECT_THAT(message, AllOf(HasSubstr("sise"), HasSubstr("line 3"), Not(HasSubstr("\n"))));
 }
 
 TEST(LoadModel, LinesAreThoseOfTheOriginalAlsoAfterMeshesWereRenamed) {
   const std::string text =
-      "<mujoco>\n<asset>\n<mesh\n file='part.obj'/>\n</asset>\n<worldbody>\n<geom type='mesh' mash='part'/>\n</worldbody>\n</mujoco>";
+      "<mujoco>\n<asset>\n<mesh\n file='part.obj'/>\n</asset>\n<worldbody>\n<geom type='mesh' "
+      "mash='part'/>\n</worldbody>\n</mujoco>";
   EXPECT_THAT(LoadError(text, {{"part.obj", kTetrahedron}}), AllOf(HasSubstr("mash"), HasSubstr("line 7")));
 }
 
 TEST(LoadModel, BrokenTextIsASentenceNotACrash) {
-  const std::vector<std::string> broken{"", " ", "<", "<mujoco", "<mujoco>", "no xml", "<mujoco><geom", "<mujoco a='", "<a/>",
+  const std::vector<std::string> broken{"",
+                                        " ",
+                                        "<",
+                                        "<mujoco",
+                                        "<mujoco>",
+                                        "no xml",
+                                        "<mujoco><geom",
+                                        "<mujoco a='",
+                                        "<a/>",
                                         "<mujoco><worldbody><geom size='x'/></worldbody></mujoco>",
-                                        "<mujoco><asset><mesh file=''/></asset></mujoco>", std::string("\0\0", 2)};
+                                        "<mujoco><asset><mesh file=''/></asset></mujoco>",
+                                        std::string("\0\0", 2)};
   for (const std::string& text : broken) {
     const std::string message = LoadError(text);
     EXPECT_NE(message, "") << text;

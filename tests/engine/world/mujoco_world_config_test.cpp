@@ -26,11 +26,16 @@ TEST(MujocoWorldConfig, TheTabletopIsAccepted) {
 }
 
 TEST(MujocoWorldConfig, UnknownPartsAreNamedWithTheLikeliestOne) {
-  EXPECT_THAT(Refusal([](auto& c) { c.hand.tool_site = "tol"; }), AllOf(HasSubstr("tool_site"), HasSubstr("'tol'"), HasSubstr("'tool'")));
-  EXPECT_THAT(Refusal([](auto& c) { c.hand.arm_joints[1] = "arm_sholder"; }), HasSubstr("did you mean 'arm_shoulder'"));
-  EXPECT_THAT(Refusal([](auto& c) { c.hand.finger_bodies[0] = "thumb"; }), AllOf(HasSubstr("finger_bodies"), HasSubstr("finger_left")));
-  EXPECT_THAT(Refusal([](auto& c) { c.hand.finger_actuators[0].actuator = "finger"; }), HasSubstr("did you mean 'fingers'"));
-  EXPECT_THAT(Refusal([](auto& c) { c.objects[2].body = "s3"; }), AllOf(HasSubstr("object s1"), HasSubstr("'s3'")));
+  EXPECT_THAT(Refusal([](auto& c) { c.hand.tool_site = "tol"; }),
+              AllOf(HasSubstr("tool_site"), HasSubstr("'tol'"), HasSubstr("'tool'")));
+  EXPECT_THAT(Refusal([](auto& c) { c.hand.arm_joints[1] = "arm_sholder"; }),
+              HasSubstr("did you mean 'arm_shoulder'"));
+  EXPECT_THAT(Refusal([](auto& c) { c.hand.finger_bodies[0] = "thumb"; }),
+              AllOf(HasSubstr("finger_bodies"), HasSubstr("finger_left")));
+  EXPECT_THAT(Refusal([](auto& c) { c.hand.finger_actuators[0].actuator = "finger"; }),
+              HasSubstr("did you mean 'fingers'"));
+  EXPECT_THAT(Refusal([](auto& c) { c.objects[2].body = "s3"; }),
+              AllOf(HasSubstr("object s1"), HasSubstr("'s3'")));
   EXPECT_THAT(Refusal([](auto& c) { c.hand.tool_site = ""; }), HasSubstr("tool_site"));
 }
 

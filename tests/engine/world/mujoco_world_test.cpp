@@ -1,4 +1,5 @@
-// The tabletop world: physics decides what is held, sensors report steadily, and Act says what was really done.
+// The tabletop world: physics decides what is held, sensors report steadily, and Act says what was really
+// done.
 #include "engine/world/mujoco_world.h"
 
 #include <gmock/gmock.h>
@@ -83,15 +84,17 @@ TEST_P(GraspTest, TheWrongGrabHoldsNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(FiveObjects, GraspTest, testing::ValuesIn(kGrasps),
-                         [](const auto& param_info) { return TabletopConfig(0).objects[param_info.param.object].entity; });
+INSTANTIATE_TEST_SUITE_P(FiveObjects, GraspTest, testing::ValuesIn(kGrasps), [](const auto& param_info) {
+  return TabletopConfig(0).objects[param_info.param.object].entity;
+});
 
 TEST(MujocoWorld, TheSameSeedGivesTheSameStatesToTheLastBit) {
   const auto run = [](std::uint64_t seed) {
     const auto world = Tabletop(seed);
     Driver driver(*world);
     std::vector<WorldState> states{world->State()};
-    for (const ActOutcome& outcome : {driver.MoveTo("s1"), driver.Command("grab_type_2"), driver.Command("release")}) {
+    for (const ActOutcome& outcome :
+         {driver.MoveTo("s1"), driver.Command("grab_type_2"), driver.Command("release")}) {
       states.insert(states.end(), outcome.states.begin(), outcome.states.end());
     }
     return states;
@@ -123,7 +126,8 @@ TEST(MujocoWorld, FactsComeInAFixedOrder) {
     EXPECT_EQ(fact.interval, frame);
     about.push_back(fact.payload[0].name() + " " + fact.payload[1].name());
   }
-  EXPECT_THAT(about, ElementsAre("h position", "h holding", "c1 position", "c2 position", "s1 position", "s2 position", "cyl position"));
+  EXPECT_THAT(about, ElementsAre("h position", "h holding", "c1 position", "c2 position", "s1 position",
+                                 "s2 position", "cyl position"));
   EXPECT_EQ(ToText(world->Properties()[1].payload), "(mk.val c1 shape cube)");
 }
 
@@ -159,9 +163,10 @@ TEST(MujocoWorld, WhatCannotBeDoneIsNotReportedAsDone) {
   Driver driver(*world);
   const Term move = Term::Ontology("move");
   const Term far_away = Term::Struct("vec2", {Term::Number(std::nan("")), Term::Number(0)});
-  for (const Term& command : {MakeCommand(Term::Ontology("dance"), {Term::Entity("h")}), MakeCommand(move, {Term::Entity("h")}),
-                              MakeCommand(move, {Term::Entity("c1"), far_away}), MakeCommand(move, {Term::Entity("h"), far_away}),
-                              MakeCommand(move, {Term::Entity("h"), Term::Number(1)}), Term::Nil(), Term::Entity("h")}) {
+  for (const Term& command :
+       {MakeCommand(Term::Ontology("dance"), {Term::Entity("h")}), MakeCommand(move, {Term::Entity("h")}),
+        MakeCommand(move, {Term::Entity("c1"), far_away}), MakeCommand(move, {Term::Entity("h"), far_away}),
+        MakeCommand(move, {Term::Entity("h"), Term::Number(1)}), Term::Nil(), Term::Entity("h")}) {
     const ActOutcome outcome = driver.Do({command});
     EXPECT_THAT(outcome.executed, IsEmpty()) << ToText(command);
     EXPECT_EQ(outcome.notes.size(), 1u) << ToText(command);
@@ -248,7 +253,8 @@ TEST(MujocoWorld, PhysicsThatExplodesIsAnErrorNotASilentReset) {
   config.noise = {};
 
   auto world = MakeMujocoWorld(config);
-  const std::string message = !world ? world.error().message : (*world)->Act({}, {{0}, {5'000'000}}).error().message;
+  const std::string message =
+      !world ? world.error().message : (*world)->Act({}, {{0}, {5'000'000}}).error().message;
 
   EXPECT_THAT(message, HasSubstr("the physics went wrong"));
 }

@@ -29,8 +29,12 @@ ScriptedWorldConfig FiveObjects() {
   return config;
 }
 
-Term Move(double delta) { return MakeCommand(Term::Ontology("move"), {Term::Entity("h"), Term::Number(delta)}); }
-Term Do(const std::string& name) { return MakeCommand(Term::Ontology(name), {Term::Entity("h")}); }
+Term Move(double delta) {
+  return MakeCommand(Term::Ontology("move"), {Term::Entity("h"), Term::Number(delta)});
+}
+Term Do(const std::string& name) {
+  return MakeCommand(Term::Ontology(name), {Term::Entity("h")});
+}
 
 class ScriptedWorldTest : public testing::Test {
  protected:
@@ -51,10 +55,12 @@ class ScriptedWorldTest : public testing::Test {
 };
 
 TEST_F(ScriptedWorldTest, FactsComeHandFirstThenObjectsAsConfigured) {
-  EXPECT_THAT(Observed(), ElementsAre("(mk.val h position 0)", "(mk.val h holding [])", "(mk.val c1 position 5)",
-                                      "(mk.val c2 position 10)", "(mk.val s1 position 15)", "(mk.val s2 position 20)",
-                                      "(mk.val cyl position 25)"));
-  EXPECT_EQ(world_->Observe({now_, now_ + Milliseconds(100)})->front().interval, (TimeInterval{now_, now_ + Milliseconds(100)}));
+  EXPECT_THAT(Observed(),
+              ElementsAre("(mk.val h position 0)", "(mk.val h holding [])", "(mk.val c1 position 5)",
+                          "(mk.val c2 position 10)", "(mk.val s1 position 15)", "(mk.val s2 position 20)",
+                          "(mk.val cyl position 25)"));
+  EXPECT_EQ(world_->Observe({now_, now_ + Milliseconds(100)})->front().interval,
+            (TimeInterval{now_, now_ + Milliseconds(100)}));
 }
 
 TEST_F(ScriptedWorldTest, PropertiesHoldAlways) {
@@ -73,7 +79,8 @@ TEST_F(ScriptedWorldTest, EachGrabHoldsExactlyWhatItsRuleSays) {
       now_ = {};
       const ActOutcome outcome = Act({Move(object.position), Do(grab)});
       const bool fits = (object.properties[1].value == "small") == (grab == "grab_type_1");
-      EXPECT_EQ(Holding(), "(mk.val h holding [" + (fits ? object.entity : "") + "])") << object.entity << " " << grab;
+      EXPECT_EQ(Holding(), "(mk.val h holding [" + (fits ? object.entity : "") + "])")
+          << object.entity << " " << grab;
       EXPECT_EQ(outcome.executed.size(), 2u) << "a grab that holds nothing was carried out all the same";
     }
   }

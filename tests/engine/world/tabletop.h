@@ -1,4 +1,5 @@
-// The tabletop world of the demo, configured as its scenario does it, and short ways to command and observe it.
+// The tabletop world of the demo, configured as its scenario does it, and short ways to command and observe
+// it.
 #pragma once
 
 #include <array>
@@ -53,7 +54,9 @@ class Driver {
     if (!outcome) return {{}, {}, {"failed: " + outcome.error().message}};
     return *outcome;
   }
-  ActOutcome Command(const std::string& name) { return Do({MakeCommand(Term::Ontology(name), {Term::Entity("h")})}); }
+  ActOutcome Command(const std::string& name) {
+    return Do({MakeCommand(Term::Ontology(name), {Term::Entity("h")})});
+  }
   ActOutcome Move(double x, double y) {
     const Term delta = Term::Struct("vec2", {Term::Number(x), Term::Number(y)});
     return Do({MakeCommand(Term::Ontology("move"), {Term::Entity("h"), delta})});
