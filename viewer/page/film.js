@@ -15,10 +15,10 @@ function filmPane(app) {
   };
   function objectShape(name, object, binding) {
     const [x, y] = object.label;
-    const group = svg("g", { class: "object" + (binding ? " bound" : "") });
+    const group = thingButton(app, name, binding !== undefined);
     if (object.outline.length) {
       const d = path(object.outline);
-      if (binding) {
+      if (binding !== undefined) {
         group.append(svg("path", { class: "halo", d, "stroke-width": 8 * unit }),
           svg("path", { class: "outline", d, "stroke-width": 4 * unit }));
       }
@@ -60,10 +60,19 @@ function filmPane(app) {
   });
 }
 
-// Object -> variable of the selection that it is bound to now.
+// What stands for a thing in the picture: a click selects the thing.
+function thingButton(app, name, bound) {
+  const id = "thing:" + name;
+  const known = app.subject(id) !== null;
+  return svg("g", { class: "object" + (bound ? " bound" : ""), on: { click: () => app.select(id) },
+    role: known ? "button" : null, "aria-label": name });
+}
+
+// Object -> variable of the selection that it is bound to now; a selected thing is itself, without a variable.
 function boundObjects(app, t) {
   const subject = app.subject(app.selected);
   const bound = new Map();
+  if (subject && subject.kind === "thing") bound.set(subject.name, "");
   for (const [variable, value] of (subject && app.bindings(subject, t)) || []) bound.set(value, variable);
   return bound;
 }
@@ -123,9 +132,10 @@ function planPane(app) {
         const level = stacked.get(key) || 0;
         stacked.set(key, level + 1);
         const variable = bound.get(name);
-        dots.push(svg("g", { class: "object" + (variable ? " bound" : "") },
-          svg("circle", { cx: x, cy: y, r: 5 }),
-          svg("text", { x, y: y + (level ? -(11 + 13 * (level - 1)) : 19), text: variable ? variable + " = " + name : name })));
+        const thing = thingButton(app, name, variable !== undefined);
+        thing.append(svg("circle", { class: "area", cx: x, cy: y, r: 12 }), svg("circle", { cx: x, cy: y, r: 5 }),
+          svg("text", { x, y: y + (level ? -(11 + 13 * (level - 1)) : 19), text: variable ? variable + " = " + name : name }));
+        dots.push(thing);
       }
       picture.replaceChildren(...grid(), ...dots);
     },

@@ -12,13 +12,13 @@ function graphPane(app) {
 
   function draw() {
     parts = [];
-    const header = 24;
-    let y = header;
+    let y = 2;
     const picture = svg("svg", { class: "graph" });
+    const columns = svg("svg", { class: "graph heads", viewBox: `0 0 ${graph.width + 2} 20` });
     const heads = ["when this holds (CST)", "how sure (M_req)", "doing this brings that (CM)"];
     heads.forEach((text, i) => {
       const ring = i === 1;
-      picture.append(svg("text", { class: "column", y: 12, text,
+      columns.append(svg("text", { class: "column", y: 14, text,
         x: ring ? graph.ring_column[0] + graph.ring_column[1] / 2 : graph.columns[i],
         "text-anchor": ring ? "middle" : "start" }));
     });
@@ -31,7 +31,7 @@ function graphPane(app) {
     picture.setAttribute("viewBox", `0 0 ${graph.width + 2} ${y}`);
     picture.setAttribute("role", "group");
     picture.setAttribute("aria-label", "Model graph");
-    box.replaceChildren(graph.bands.length ? picture : el("p", { class: "empty", text: "Nothing was known in this run." }));
+    box.replaceChildren(graph.bands.length ? columns : "", graph.bands.length ? picture : el("p", { class: "empty", text: "Nothing was known in this run." }));
     showSelected();
   }
 
@@ -272,7 +272,7 @@ function graphPane(app) {
     const pane = box.getBoundingClientRect();
     const top = Math.min(...cards.map((r) => r.top)), bottom = Math.max(...cards.map((r) => r.bottom));
     if (bottom > pane.bottom - 12) box.scrollTop += bottom - pane.bottom + 24;
-    else if (top < pane.top) box.scrollTop -= pane.top - top + 24;
+    else if (top < pane.top + 24) box.scrollTop -= pane.top - top + 32;
   }
 
   draw();

@@ -9,7 +9,7 @@ function inspectorPane(app) {
 
   function draw(subject) {
     live = [];
-    const sections = [definition(subject), life(subject), outcome(subject), requirements(subject), plans(subject),
+    const sections = [definition(subject), facts(subject), life(subject), outcome(subject), requirements(subject), plans(subject),
       comparisons(subject), why(subject), led(subject)];
     box.replaceChildren(top(subject), ...sections.filter((section) => section));
     box.scrollTop = 0;
@@ -27,7 +27,7 @@ function inspectorPane(app) {
     const big = el("span", { class: "big" });
     if (subject.confidence && subject.confidence.length) live.push((t) => showSure(big, subject, t));
     return el("div", { class: "top" },
-      el("div", { class: "kind" }, mark(failed ? "cross" : subject.mark, failed ? "fail" : ""), el("span", { text: subject.id + ", " + subject.note }), jump),
+      el("div", { class: "kind" }, mark(failed ? "cross" : subject.mark, failed ? "fail" : ""), el("span", { text: (subject.kind === "thing" ? "" : subject.id + ", ") + subject.note }), jump),
       el("div", { class: "row" }, el("h2", { text: subject.title }), big));
   }
   function showSure(big, subject, t) {
@@ -59,6 +59,21 @@ function inspectorPane(app) {
     const bindings = app.bindings(subject, t);
     if (!bindings || !bindings.length) { node.replaceChildren(el("span", { class: "quiet", text: "bound to nothing at this moment" })); return; }
     node.replaceChildren(...bindings.flatMap(([name, value], i) => [i ? ", " : "", el("span", { class: "var", text: name }), " = ", el("b", { text: value })]));
+  }
+
+  // ---- of a thing: what is known of it now
+  function facts(subject) {
+    if (subject.kind !== "thing") return null;
+    const object = app.report.objects.find((one) => one.name === subject.name);
+    if (!object) return null;
+    const body = el("tbody", {});
+    live.push((t) => {
+      const now = new Map();
+      for (const change of object.changes) if (change.at <= t) now.set(change.attribute, change);
+      body.replaceChildren(...[...now].map(([attribute, change]) => el("tr", {}, el("td", { text: attribute }),
+        el("td", { text: change.value }), el("td", { text: secondsText(change.at) }))));
+    });
+    return block(object.what ? el("p", { class: "say", text: object.what }) : "", heading("What is known of it now?", "since"), el("table", {}, body));
   }
 
   // ---- how sure
@@ -204,7 +219,7 @@ function inspectorPane(app) {
     const data = subject.led;
     if (!data.nodes.length) return null;
     const rest = data.left_out ? el("p", { class: "verdict quiet", text: `and ${data.left_out} more` }) : null;
-    return block(heading("What did it lead to?", "", "part-led"),
+    return block(heading(subject.kind === "thing" ? "What happened with it?" : "What did it lead to?", "", "part-led"),
       el("ol", { class: "tree" }, ...data.nodes.map((node) => el("li", {}, causeRow(node)))), rest);
   }
   function causeRow(node) {

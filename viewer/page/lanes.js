@@ -96,6 +96,7 @@ function lanesPane(app) {
         const selected = piece.subject === app.selected;
         const button = el("button", { type: "button", class: selected ? "selected" : "", text: "Sure: " + piece.text,
           title: "How sure: " + piece.text, on: { click: () => app.select(piece.subject) } });
+        button.dataset.subject = piece.subject;
         const node = label("", LANE.curve, { child: button });
         // Where the curve begins late, its name may reach over the free field.
         const free = width <= box.clientWidth - labelWidth + 1 ? X(subjects[piece.subject].confidence[0].at) - 44 : 0;
@@ -220,14 +221,19 @@ function lanesPane(app) {
   }
   let dragging = false, moved = false, pressed = null, downX = 0;
   const timeOf = (event) => snapped(T(event.clientX - field.getBoundingClientRect().left));
-  field.addEventListener("pointerdown", (event) => {
+  function press(event) {
     if (event.button !== 0) return;
     dragging = true;
     moved = false;
     downX = event.clientX;
-    pressed = event.target.closest(".item");
+    pressed = event.target.closest("[data-subject]");
     field.setPointerCapture(event.pointerId);
     if (!pressed) app.go(timeOf(event));
+  }
+  field.addEventListener("pointerdown", press);
+  // Where a name reaches over the field, a drag that begins on it is a drag.
+  labels.addEventListener("pointerdown", (event) => {
+    if (event.clientX > field.getBoundingClientRect().left) press(event);
   });
   field.addEventListener("pointermove", (event) => {
     if (!dragging) return;
@@ -238,8 +244,9 @@ function lanesPane(app) {
     if (!dragging) return;
     dragging = false;
     if (moved || !pressed) return;
+    const timed = pressed.tabIndex === 0 && pressed instanceof SVGElement;
     app.select(pressed.dataset.subject);
-    app.go(timeOf(event));
+    if (timed) app.go(timeOf(event));
   });
   field.addEventListener("pointercancel", () => { dragging = false; });
 

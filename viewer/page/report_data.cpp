@@ -52,8 +52,7 @@ class ReportAuthor {
   }
 
  private:
-  // ---------------------------------------------------------------------------------------------- heading,
-  // sources
+  // ---- heading, sources
 
   json Summary() const {
     const auto drives = static_cast<std::int64_t>(summary_.drives.size());
@@ -114,8 +113,7 @@ class ReportAuthor {
     return Join(sentences, " ");
   }
 
-  // -------------------------------------------------------------------------------------------------- clock,
-  // film
+  // ---- clock, film
 
   json Clock() const {
     json starts = json::array();
@@ -203,8 +201,7 @@ class ReportAuthor {
     return moments;
   }
 
-  // --------------------------------------------------------------------------------------------------------
-  // story
+  // ---- story
 
   // The kind of a story row; empty for events that the story leaves out.
   std::string StoryKind(const Event& event) const {
@@ -249,8 +246,7 @@ class ReportAuthor {
     return story;
   }
 
-  // --------------------------------------------------------------------------------------------------------
-  // lanes
+  // ---- lanes
 
   json Lanes() const {
     json phases = json::array();
@@ -346,8 +342,7 @@ class ReportAuthor {
     return sign + relation + ValueText(payload[2]);
   }
 
-  // -------------------------------------------------------------------------------------------------------
-  // pieces
+  // ---- pieces
 
   // Pieces of knowledge: requirement models, in order of creation, with what lanes and counters need of them.
   json Pieces() const {

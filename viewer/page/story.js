@@ -88,7 +88,7 @@ function objectsPane(app) {
         const now = new Map();
         for (const change of object.changes) if (change.at <= t) now.set(change.attribute, change.value);
         const text = [...now].map(([attribute, value]) => attribute + " " + value).join(", ");
-        return el("tr", {}, el("td", {}, el("b", { text: object.name }), " " + object.what), el("td", { text }));
+        return el("tr", {}, el("td", {}, el("button", { type: "button", class: "link", text: object.name, on: { click: () => app.select("thing:" + object.name) } }), " " + object.what), el("td", { text }));
       }));
     },
   });

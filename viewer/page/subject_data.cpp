@@ -1,6 +1,7 @@
 #include "viewer/page/subject_data.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -90,6 +91,7 @@ class SubjectAuthor {
       subjects[IdText(prediction.prediction)] = PredictionSubject(prediction);
     for (const IssuedCommand& command : CommandsOf(run_))
       subjects[IdText(command.event)] = CommandSubject(command);
+    AddThings(subjects);
     return subjects;
   }
 
@@ -99,8 +101,7 @@ class SubjectAuthor {
     return {{"id", id}, {"mark", mark}, {"note", note}, {"title", Capitalised(title)}, {"born", born.us}};
   }
 
-  // ------------------------------------------------------------------------------------------------ models,
-  // states
+  // ---- models, states
 
   static json Line(const std::string& text, const std::vector<std::string>& variables, bool cut = false) {
     return {{"text", text}, {"vars", variables}, {"cut", cut}};
@@ -218,8 +219,7 @@ class SubjectAuthor {
     return data;
   }
 
-  // ---------------------------------------------------------------------------------------------------
-  // comparisons
+  // ---- comparisons
 
   // The comparison that made it comes first, then those made for the same goal, then those that used it as a
   // source.
@@ -286,8 +286,7 @@ class SubjectAuthor {
             {"status", std::string(EnumName(status))}};
   }
 
-  // -------------------------------------------------------------------------------- goals, predictions and
-  // commands
+  // ---- goals, predictions, commands
 
   json GoalSubject(const GoalNode& goal) const {
     const std::string until = SecondsText(goal.target.interval.before);
@@ -362,8 +361,51 @@ class SubjectAuthor {
     return data;
   }
 
-  // ------------------------------------------------------------------------------------------------ causes,
-  // effects
+  // ---- causes, effects
+
+  // Whether what an event says names the entity.
+  static bool Names(const Event& event, const std::string& entity) {
+    const auto in_term = [&](const Term& term) {
+      bool found = false;
+      ForEachTerm(term, [&](const Term& part) {
+        found = found || (part.is(TermKind::kEntity) && part.name() == entity);
+      });
+      return found;
+    };
+    return std::visit(Overloaded{[&](const DriveInjected& e) { return in_term(e.target.payload); },
+                                 [&](const AnalogyCompared& e) { return in_term(e.bindings); },
+                                 [&](const PredictionMade& e) { return in_term(e.target.payload); },
+                                 [&](const CommandIssued& e) { return in_term(e.command); },
+                                 [](const auto&) { return false; }},
+                      event.body);
+  }
+
+  // Things of the world: what was wanted, compared, predicted and done with each.
+  void AddThings(json& subjects) const {
+    std::map<std::string, EventId> things;  // entity -> where it was first seen
+    for (const EventId id : run_.OfKind<FactObserved>()) {
+      const Term& payload = run_.FindBody<FactObserved>(id)->fact.payload;
+      if (IsValue(payload) && payload[0].is(TermKind::kEntity)) things.try_emplace(payload[0].name(), id);
+    }
+    for (const auto& [name, first] : things) {
+      const Time seen = run_.Find(first)->time;
+      const std::string shown = Printable(name);
+      json data = Base("thing:" + shown, "seen", "seen since " + SecondsText(seen), shown, seen);
+      data["title"] = shown;
+      data["kind"] = "thing";
+      data["name"] = shown;
+      json nodes = json::array();
+      std::size_t left_out = 0;
+      for (const Event& event : run_.events()) {
+        if (event.simulation.valid() || !Names(event, name)) continue;
+        if (nodes.size() < kEffectsShown) nodes.push_back(NodeData(event.id, 0));
+        else ++left_out;
+      }
+      data["led"] = {{"nodes", nodes}, {"left_out", left_out}};
+      data["why"] = {{"nodes", json::array()}, {"levels", 0}, {"first", 0}, {"cut", false}};
+      subjects["thing:" + shown] = std::move(data);
+    }
+  }
 
   // An object that has an outcome is explained from there: the outcome's causes include its making.
   void AddCauses(json& data, EventId made, EventId outcome = {}) const {

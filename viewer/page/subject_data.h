@@ -8,7 +8,7 @@
 
 namespace aerascope {
 
-// An object with a member a subject, by its id ("mdl_582", "goal_12", "pred_3", "#41").
+// An object with a member a subject, by its id ("mdl_582", "goal_12", "pred_3", "#41", "thing:s1").
 nlohmann::json SubjectData(const ReportContext& context);
 
 }  // namespace aerascope
