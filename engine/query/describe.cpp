@@ -74,7 +74,7 @@ std::string LineText(const Line& line, const Names& names, std::string_view sepa
 
 Condition ConditionOf(const Line& line, const Names& names) {
   Condition condition;
-  condition.components = {line.component};
+  condition.components = line.components;
   condition.text = LineText(line, names, ", ");
   const auto note = [&](const Term& term) {
     ForEachVariable(term, [&](int v) {
@@ -218,9 +218,9 @@ std::string InWords(const std::vector<std::string>& items) {
 std::string ClauseOf(const Line& line, const std::vector<std::string>& names) { return LineText(line, names, " "); }
 
 std::vector<std::string> ClausesOf(const KnowledgeBase& knowledge, const Term& payload,
-                                   const std::vector<std::string>& names) {
+                                   const std::vector<std::string>& names, Writing writing) {
   Parts parts;
-  AddParts(knowledge, {true, payload, Term::Wildcard(), Term::Wildcard()}, 0, &parts);
+  AddParts(knowledge, {true, payload, Term::Wildcard(), Term::Wildcard()}, 0, &parts, writing);
   std::vector<std::string> clauses;
   for (const Line& line : LinesOf(parts.parts)) clauses.push_back(ClauseOf(line, names));
   return clauses;
@@ -247,14 +247,15 @@ std::vector<std::string> VariableNames(const KnowledgeBase& knowledge, const Mod
 
 std::vector<std::string> CanonicalNames(const KnowledgeBase& knowledge, const CompositeStateRecord& record) {
   Names names;
-  FillNames(RolesOf(PartsOf(knowledge, InCanonicalOrder(record)), VariableCount(record.state)),
+  FillNames(RolesOf(PartsOf(knowledge, InCanonicalOrder(record), Writing::kCanonical), VariableCount(record.state)),
             record.canonical.variables, &names);
   return names;
 }
 
 std::vector<std::string> CanonicalNames(const KnowledgeBase& knowledge, const ModelRecord& record) {
   Names names;
-  FillNames(RolesOf(PartsOf(knowledge, record.model), VariableCount(record.model)), record.canonical.variables, &names);
+  FillNames(RolesOf(PartsOf(knowledge, record.model, Writing::kCanonical), VariableCount(record.model)),
+            record.canonical.variables, &names);
   return names;
 }
 
@@ -270,7 +271,11 @@ std::vector<Condition> ConditionsOf(const KnowledgeBase& knowledge, const Compos
 }
 
 std::vector<Condition> CanonicalConditions(const KnowledgeBase& knowledge, const CompositeStateRecord& record) {
-  return ConditionsOf(knowledge, InCanonicalOrder(record), CanonicalNames(knowledge, record));
+  const Parts parts = PartsOf(knowledge, InCanonicalOrder(record), Writing::kCanonical);
+  const Names names = CanonicalNames(knowledge, record);
+  std::vector<Condition> conditions;
+  for (const Line& line : LinesOf(parts.parts)) conditions.push_back(ConditionOf(line, names));
+  return conditions;
 }
 
 std::vector<Condition> ConditionsWithPruned(const KnowledgeBase& knowledge, CompositeStateId id) {
@@ -290,10 +295,12 @@ std::vector<Condition> ConditionsWithPruned(const KnowledgeBase& knowledge, Comp
     names[v] = renamed >= 0 ? own[static_cast<std::size_t>(renamed)] : of_source[v];
     if (renamed < 0 && std::find(own.begin(), own.end(), names[v]) != own.end()) names[v] += "'";
   }
-  std::vector<Condition> conditions = ConditionsOf(knowledge, source->state, names);
-  for (Condition& condition : conditions) {
-    condition.pruned = std::none_of(condition.components.begin(), condition.components.end(),
-                                    [&](std::size_t component) { return alignment.Kept(component); });
+  Parts parts = PartsOf(knowledge, source->state);
+  for (Part& part : parts.parts) part.apart = !alignment.Kept(part.component);
+  std::vector<Condition> conditions;
+  for (const Line& line : LinesOf(parts.parts)) {
+    conditions.push_back(ConditionOf(line, names));
+    conditions.back().pruned = line.apart;
   }
   return conditions;
 }
@@ -349,8 +356,13 @@ std::string ValueText(const Term& value, const std::vector<std::string>& names) 
 }
 
 std::string PayloadText(const KnowledgeBase& knowledge, const Term& payload, const std::vector<std::string>& names) {
+  return PayloadWords(knowledge, payload, names, Writing::kAsGiven);
+}
+
+std::string PayloadWords(const KnowledgeBase& knowledge, const Term& payload, const std::vector<std::string>& names,
+                         Writing writing) {
   if (IsCommand(payload)) return ValueText(payload[0], names) + " " + ValueText(payload[1], names);
-  if (IsImdl(payload) && payload[0].is(TermKind::kModel)) return ModelInstanceText(knowledge, payload, names);
+  if (IsImdl(payload) && payload[0].is(TermKind::kModel)) return ModelInstanceText(knowledge, payload, names, writing);
   // Open variables of an instance are called as in the knowledge it is an instance of.
   if (names.empty() && IsIcst(payload) && payload[0].is(TermKind::kCompositeState) && !payload.ground()) {
     const CompositeStateRecord* record = knowledge.Find(payload[0].composite_state());
@@ -364,11 +376,10 @@ std::string PayloadText(const KnowledgeBase& knowledge, const Term& payload, con
         if (arguments[i].is(TermKind::kVariable)) borrowed[static_cast<std::size_t>(arguments[i].variable())] = own[i];
       }
       FillNames(std::vector<RoleOfVariable>(count), AllVariables(count), &borrowed);
-      return PayloadText(knowledge, payload, borrowed);
+      return PayloadWords(knowledge, payload, borrowed, writing);
     }
   }
-  const std::vector<std::string> clauses = ClausesOf(knowledge, payload, names);
-  return InWords(clauses);
+  return InWords(ClausesOf(knowledge, payload, names, writing));
 }
 
 std::string FactText(const KnowledgeBase& knowledge, const Fact& fact) {

@@ -271,7 +271,8 @@ struct Moment {
   std::vector<std::string> evidence;  // of knowledge made by analogy
   std::vector<std::string> learned;
   std::vector<std::string> made_by_analogy;
-  std::vector<std::string> next;      // drives and commands
+  std::vector<std::string> drives;
+  std::vector<std::string> next;      // commands, the end
 };
 
 class Narrator {
@@ -286,7 +287,8 @@ class Narrator {
     }
     // Two sentences at most; the next step only where there is room.
     std::vector<std::string> sentences;
-    for (const auto* part : {&moment.outcomes, &moment.evidence, &moment.learned, &moment.made_by_analogy, &moment.next}) {
+    for (const auto* part : {&moment.outcomes, &moment.evidence, &moment.drives, &moment.made_by_analogy,
+                             &moment.learned, &moment.next}) {
       for (const std::string& sentence : *part) {
         if (sentences.size() < 2) sentences.push_back(sentence);
       }
@@ -323,7 +325,7 @@ class Narrator {
                        moment->learned.push_back("Learned: " + title + ".");
                      }
                    },
-                   [&](const DriveInjected&) { moment->next.push_back(teller_.Tell(event)); },
+                   [&](const DriveInjected&) { moment->drives.push_back(teller_.Tell(event)); },
                    [&](const CommandIssued&) { moment->next.push_back(teller_.Tell(event)); },
                    [&](const EpisodeEnded&) { moment->next.push_back(teller_.Tell(event)); },
                    [](const auto&) {}},

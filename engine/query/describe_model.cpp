@@ -12,14 +12,15 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::string SideText(const KnowledgeBase& knowledge, bool positive, const Term& payload, const Names& names) {
-  return (positive ? "" : "not ") + PayloadText(knowledge, payload, names);
+std::string SideText(const KnowledgeBase& knowledge, bool positive, const Term& payload, const Names& names,
+                     Writing writing = Writing::kAsGiven) {
+  return (positive ? "" : "not ") + PayloadWords(knowledge, payload, names, writing);
 }
 
 std::string MakesText(const KnowledgeBase& knowledge, const Model& model, const Term& lhs, const Term& rhs,
-                      const Names& names) {
-  return SideText(knowledge, model.lhs.positive, lhs, names) + (model.rhs.positive ? " makes " : " ends ") +
-         PayloadText(knowledge, rhs, names);
+                      const Names& names, Writing writing = Writing::kAsGiven) {
+  return SideText(knowledge, model.lhs.positive, lhs, names, writing) + (model.rhs.positive ? " makes " : " ends ") +
+         PayloadWords(knowledge, rhs, names, writing);
 }
 
 // The names of a requirement model's variables, those of its composite state where it passes them on: so that its
@@ -110,7 +111,8 @@ std::string Sentence(std::string text) { return text + "."; }
 
 }  // namespace
 
-std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl, const std::vector<std::string>& names) {
+std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl, const std::vector<std::string>& names,
+                              Writing writing) {
   const ModelRecord* record = knowledge.Find(imdl[0].model());
   if (!record) return ValueText(imdl, names);
   const Model& model = record->model;
@@ -122,20 +124,17 @@ std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl, 
   ForEachVariable(imdl, [&](int v) { outer = std::max(outer, static_cast<std::size_t>(v) + 1); });
   Names all = names;
   all.resize(outer);
-  std::vector<bool> open(arguments.size());
   for (std::size_t v = 0; v < arguments.size(); ++v) {
-    open[v] = arguments[v].is(TermKind::kWildcard) || (names.empty() && arguments[v].is(TermKind::kVariable));
-    if (open[v]) arguments[v] = Term::Variable(static_cast<int>(outer + v));
-    std::string name = open[v] ? own[v] : "";
+    const bool open = arguments[v].is(TermKind::kWildcard) || (names.empty() && arguments[v].is(TermKind::kVariable));
+    if (open) arguments[v] = Term::Variable(static_cast<int>(outer + v));
+    std::string name = open ? own[v] : "";
     while (!name.empty() && std::find(all.begin(), all.end(), name) != all.end()) name += "'";
     all.push_back(std::move(name));
   }
   // Where the instance leaves the effect open, its formula says more than a name.
-  bool effect_is_open = false;
-  ForEachVariable(model.rhs.payload, [&](int v) { effect_is_open = effect_is_open || open[static_cast<std::size_t>(v)]; });
-  const Term& rhs = model.rhs.payload;
-  return MakesText(knowledge, model, WithArguments(model.lhs.payload, arguments),
-                   WithArguments(effect_is_open ? RightSide(model) : rhs, arguments), all);
+  Term effect = WithArguments(model.rhs.payload, arguments);
+  if (!effect.ground()) effect = WithArguments(RightSide(model), arguments);
+  return MakesText(knowledge, model, WithArguments(model.lhs.payload, arguments), effect, all, writing);
 }
 
 ModelLines LinesOf(const KnowledgeBase& knowledge, const Model& model) {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "engine/base/text.h"
+#include "engine/query/words.h"
 
 namespace aerascope {
 namespace {
@@ -77,8 +78,9 @@ class Side {
     const ModelRecord& record = *knowledge_.Find(node.model);
     if (IsRequirement(record.model)) return TitleOf(knowledge_, node.model);
     const std::vector<std::string> names = CanonicalNames(knowledge_, record);
-    return PayloadText(knowledge_, record.model.lhs.payload, names) + " makes " +
-           PayloadText(knowledge_, record.model.rhs.payload, names);
+    const auto words = [&](const Term& payload) { return PayloadWords(knowledge_, payload, names, Writing::kCanonical); };
+    return words(record.model.lhs.payload) + (record.model.rhs.positive ? " makes " : " ends ") +
+           words(record.model.rhs.payload);
   }
 
   const KnowledgeBase& knowledge_;

@@ -39,14 +39,14 @@ FactPattern WithArguments(const FactPattern& pattern, const std::vector<Term>& a
 
 class Writer {
  public:
-  Writer(const KnowledgeBase& knowledge, std::size_t component, Parts* parts)
-      : knowledge_(knowledge), component_(component), parts_(*parts) {}
+  Writer(const KnowledgeBase& knowledge, std::size_t component, Parts* parts, Writing writing)
+      : knowledge_(knowledge), component_(component), parts_(*parts), writing_(writing) {}
 
-  void Add(const FactPattern& pattern, int depth) {
+  void Add(const FactPattern& pattern, int depth, std::size_t instance) {
     if (parts_.parts.size() >= kMaxParts) return;
     AddTimes(pattern);
     if (depth < kMaxNesting && AddNested(pattern, depth)) return;
-    parts_.parts.push_back({pattern.positive, pattern.payload, component_, depth > 0});
+    parts_.parts.push_back({pattern.positive, pattern.payload, component_, instance});
   }
 
  private:
@@ -64,16 +64,17 @@ class Writer {
     if (IsIcst(pattern.payload) && pattern.payload[0].is(TermKind::kCompositeState) && pattern.positive) {
       const CompositeStateRecord* nested = knowledge_.Find(pattern.payload[0].composite_state());
       if (!nested || !ArgumentsOf(nested->state, pattern.payload, &arguments)) return false;
-      for (const FactPattern& component : InCanonicalOrder(*nested).components) {
-        Add(WithArguments(component, arguments), depth + 1);
-      }
+      const std::size_t instance = ++parts_.instances;
+      const CompositeState state = writing_ == Writing::kCanonical ? InCanonicalOrder(*nested) : nested->state;
+      for (const FactPattern& component : state.components) Add(WithArguments(component, arguments), depth + 1, instance);
       return true;
     }
     if (IsImdl(pattern.payload) && pattern.payload[0].is(TermKind::kModel)) {
       const ModelRecord* nested = knowledge_.Find(pattern.payload[0].model());
       if (!nested || !ArgumentsOf(nested->model, pattern.payload, &arguments)) return false;
-      Add(WithArguments(nested->model.lhs, arguments), depth + 1);
-      Add(WithArguments(nested->model.rhs, arguments), depth + 1);
+      const std::size_t instance = ++parts_.instances;
+      Add(WithArguments(nested->model.lhs, arguments), depth + 1, instance);
+      Add(WithArguments(nested->model.rhs, arguments), depth + 1, instance);
       return true;
     }
     return false;
@@ -82,6 +83,7 @@ class Writer {
   const KnowledgeBase& knowledge_;
   std::size_t component_;
   Parts& parts_;
+  Writing writing_;
 };
 
 // A name not taken yet: the letter itself, else the letter and a number.
@@ -109,13 +111,14 @@ std::string LetterOf(const std::string& attribute) {
 
 }  // namespace
 
-void AddParts(const KnowledgeBase& knowledge, const FactPattern& pattern, std::size_t component, Parts* parts) {
-  Writer(knowledge, component, parts).Add(pattern, 0);
+void AddParts(const KnowledgeBase& knowledge, const FactPattern& pattern, std::size_t component, Parts* parts,
+              Writing writing) {
+  Writer(knowledge, component, parts, writing).Add(pattern, 0, 0);
 }
 
-Parts PartsOf(const KnowledgeBase& knowledge, const CompositeState& state) {
+Parts PartsOf(const KnowledgeBase& knowledge, const CompositeState& state, Writing writing) {
   Parts parts;
-  for (std::size_t i = 0; i < state.components.size(); ++i) AddParts(knowledge, state.components[i], i, &parts);
+  for (std::size_t i = 0; i < state.components.size(); ++i) AddParts(knowledge, state.components[i], i, &parts, writing);
   return parts;
 }
 
@@ -128,10 +131,10 @@ CompositeState InCanonicalOrder(const CompositeStateRecord& record) {
   return state;
 }
 
-Parts PartsOf(const KnowledgeBase& knowledge, const Model& model) {
+Parts PartsOf(const KnowledgeBase& knowledge, const Model& model, Writing writing) {
   Parts parts;
-  AddParts(knowledge, model.lhs, 0, &parts);
-  AddParts(knowledge, model.rhs, 1, &parts);
+  AddParts(knowledge, model.lhs, 0, &parts, writing);
+  AddParts(knowledge, model.rhs, 1, &parts, writing);
   for (const Term& argument : model.template_arguments) {
     if (argument.IsStruct("ti")) parts.times.insert(parts.times.end(), argument.items().begin(), argument.items().end());
   }
@@ -216,7 +219,9 @@ std::vector<RoleOfVariable> RolesOf(const Parts& parts, std::size_t variables) {
   for (const Part& part : parts.parts) {
     if (!IsValue(part.payload)) continue;
     tell(part.payload[0], VariableRole::kThing, "");
-    tell(part.payload[2], VariableRole::kValue, part.payload[1].name());
+    // What stands in a list is a thing again: the C of (h holding [C]).
+    const bool list = part.payload[2].is(TermKind::kSet);
+    tell(part.payload[2], list ? VariableRole::kThing : VariableRole::kValue, part.payload[1].name());
   }
   for (const Term& time : parts.times) tell(time, VariableRole::kTime, "");
   return roles;
@@ -261,21 +266,25 @@ std::vector<Line> LinesOf(const std::vector<Part>& parts) {
   std::vector<Line> lines;
   for (const Part& part : parts) {
     if (!IsValue(part.payload)) {
-      lines.push_back({Term::Nil(), {{Kind::kOther, part.positive, "", part.payload}}, part.component});
+      lines.push_back({Term::Nil(), {{Kind::kOther, part.positive, "", part.payload}}, {part.component}, part.instance,
+                       part.apart});
       continue;
     }
     const std::string& attribute = part.payload[1].name();
     Line::Predicate predicate{KindOfAttribute(attribute), part.positive, attribute, part.payload[2]};
     // "C essence X" of a variable says which kind; only a constant reads as a noun.
     if (predicate.kind == Kind::kNoun && !predicate.value.is(TermKind::kOntology)) predicate.kind = Kind::kAttribute;
+    const auto is_attribute = [](const Line::Predicate& p) { return p.kind == Kind::kAttribute; };
     const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
-      return part.nested && line.component == part.component && line.subject == part.payload[0];
+      return line.instance == part.instance && line.apart == part.apart && line.subject == part.payload[0] &&
+             !(is_attribute(predicate) && std::any_of(line.predicates.begin(), line.predicates.end(), is_attribute));
     });
-    if (same != lines.end()) {
-      same->predicates.push_back(std::move(predicate));
-    } else {
-      lines.push_back({part.payload[0], {std::move(predicate)}, part.component});
+    if (same == lines.end()) {
+      lines.push_back({part.payload[0], {std::move(predicate)}, {part.component}, part.instance, part.apart});
+      continue;
     }
+    same->predicates.push_back(std::move(predicate));
+    if (same->components.back() != part.component) same->components.push_back(part.component);
   }
   for (Line& line : lines) {
     std::stable_sort(line.predicates.begin(), line.predicates.end(), [](const auto& a, const auto& b) {

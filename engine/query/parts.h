@@ -10,18 +10,24 @@
 
 namespace aerascope {
 
+// In which order the components of nested states are written out: as they were given, or as in their canonical form, so
+// that equal content reads the same.
+enum class Writing { kAsGiven, kCanonical };
+
 // A payload without instances of composite states (unless unknown or nested too deeply), and where it stands.
 struct Part {
   bool positive = true;
   Term payload;
   std::size_t component = 0;  // the component or side it came from
-  bool nested = false;        // written out from an instance
+  std::size_t instance = 0;   // which composite state it is a component of: 0 the outermost, counted up from there
+  bool apart = false;         // makes no line with parts that are not `apart`
 };
 
 // What became of a pattern: its parts, and the terms (variables) in places of time.
 struct Parts {
   std::vector<Part> parts;
   std::vector<Term> times;
+  std::size_t instances = 0;  // how many nested instances were written out
 };
 
 // Written out to a fixed depth and number of parts; beyond, instances stay as they are.
@@ -29,12 +35,14 @@ inline constexpr int kMaxNesting = 6;
 inline constexpr std::size_t kMaxParts = 2000;
 
 // Adds the parts of one pattern. Instances of models become the two sides of the model.
-void AddParts(const KnowledgeBase& knowledge, const FactPattern& pattern, std::size_t component, Parts* parts);
+void AddParts(const KnowledgeBase& knowledge, const FactPattern& pattern, std::size_t component, Parts* parts,
+              Writing writing = Writing::kAsGiven);
 
-Parts PartsOf(const KnowledgeBase& knowledge, const CompositeState& state);
-// The same state with its components in the order of its canonical form. Nested states are always written out so.
+Parts PartsOf(const KnowledgeBase& knowledge, const CompositeState& state, Writing writing = Writing::kAsGiven);
+// The same state with its components in the order of its canonical form.
 CompositeState InCanonicalOrder(const CompositeStateRecord& record);
-Parts PartsOf(const KnowledgeBase& knowledge, const Model& model);  // component 0 is the left side, 1 the right side
+// Component 0 is the left side, 1 the right side.
+Parts PartsOf(const KnowledgeBase& knowledge, const Model& model, Writing writing = Writing::kAsGiven);
 
 // What each variable of the referenced knowledge stands for in an instance: terms of the instance's own numbering; a
 // wildcard where nothing is said. False if the lists do not fit (then every entry is a wildcard).
@@ -74,9 +82,12 @@ struct Line {
   };
   Term subject;  // nil for a payload of another form, which then is the value of the one predicate
   std::vector<Predicate> predicates;
-  std::size_t component = 0;
+  std::vector<std::size_t> components;  // ascending
+  std::size_t instance = 0;
+  bool apart = false;
 };
-// Parts of one component about one thing make one line: nouns first, then attributes, then places, then what is not.
+// Parts of one composite state about one thing make one line, but each attribute has a line of its own: nouns first, then
+// the attribute, then places, then what is not.
 std::vector<Line> LinesOf(const std::vector<Part>& parts);
 
 // The words of one attribute (describe.h).

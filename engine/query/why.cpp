@@ -94,7 +94,7 @@ std::string TreeText(const Run& run, const CauseTree& tree) {
       lines.back() = !last[i];
     }
     text += SecondsText(event.time) + "  " + SentenceOf(run, event) + "  " + IdText(node.event);
-    if (node.mark == CauseMark::kReference) text += " (see above or below)";
+    if (node.mark == CauseMark::kReference) text += " (shown elsewhere)";
     if (node.mark == CauseMark::kCut) text += " (goes on)";
     text += "\n";
   }

@@ -7,6 +7,7 @@
 
 #include "engine/base/text.h"
 #include "engine/query/model_graph.h"
+#include "engine/query/words.h"
 
 namespace aerascope {
 namespace {
@@ -93,7 +94,7 @@ class Maker {
     const Model& model = record.model;
     const std::vector<std::string> names = CanonicalNames(knowledge_, record);
     const auto side = [&](const FactPattern& pattern) {
-      return (pattern.positive ? "" : "not ") + PayloadText(knowledge_, pattern.payload, names);
+      return (pattern.positive ? "" : "not ") + PayloadWords(knowledge_, pattern.payload, names, Writing::kCanonical);
     };
     if (IsRequirement(model)) item->lines.push_back(TitleOf(knowledge_, model.id));
     item->lines.push_back("if " + side(model.lhs));
@@ -182,7 +183,17 @@ struct Block {
   std::vector<std::string> lines;       // as written
   std::vector<std::string> comparable;  // with hashes for aliases
 
-  std::string Words() const { return kind + (lines.empty() ? "" : " \"" + lines.front() + "\""); }
+  // What it is called in sentences: a requirement model by its title, anything else by what it says.
+  std::string Words() const {
+    std::vector<std::string> said;
+    for (const std::string& line : lines) {
+      const bool about_it = line.starts_with("uses: ") || line.starts_with("derived from: ") || line.starts_with("origin: ");
+      if (about_it || line.starts_with("forward ")) break;
+      said.push_back(line);
+      if (kind.ends_with("requirement model")) break;
+    }
+    return kind + " \"" + Join(said, "; ") + "\"";
+  }
 };
 
 std::string_view TakeLine(std::string_view* text) {
