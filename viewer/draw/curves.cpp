@@ -99,7 +99,7 @@ class Curve {
     if (step.reason.empty()) return;
     const int width = TextWidth(step.reason, 11);
     const int over_x = std::min(point.x + 2, area_.right() - width);
-    const int over_y = std::max(point.y - 10, area_.y - 2);
+    const int over_y = point.y - 10;
     const bool taken_by_curve = bad || over_x < point.x - 24;
     if (!taken_by_curve && Label({over_x, over_y - 10, width, 12}, step.reason, bad)) return;
     if (point.x - 10 - width < area_.x + 40) return;

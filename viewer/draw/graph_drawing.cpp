@@ -77,9 +77,9 @@ class Drawer {
       return band.kind == BandKind::kCausalModel;
     });
     if (!triads) return;
-    svg_.Text(layout_.states.x, 12, "when this holds (CST)", {"d-3"});
-    svg_.Text(layout_.requirements.centre().x, 12, "how sure (M_req)", {"d-3", 12, TextAnchor::kMiddle});
-    svg_.Text(layout_.models.x, 12, "doing this brings that (CM)", {"d-3"});
+    svg_.Text(layout_.states.x, 12, "when this holds (CST)", {"d-3", 11});
+    svg_.Text(layout_.requirements.centre().x, 12, "how sure (M_req)", {"d-3", 11, TextAnchor::kMiddle});
+    svg_.Text(layout_.models.x, 12, "doing this brings that (CM)", {"d-3", 11});
   }
 
   void DrawBand(const TriadBand& band, bool open, int top) {
@@ -329,9 +329,13 @@ class Drawer {
       return x + TextWidth(fit, 12);
     };
     part(condition.subject, columns.subject, columns.relation - 4);
-    part(condition.relation, columns.relation, columns.value - 4);
     const int pruned_width = condition.pruned ? TextWidth("dropped", 11) + 8 : 0;
-    const int end = part(condition.value, columns.value, columns.end - pruned_width);
+    int value_x = columns.relation;
+    if (!condition.relation.empty()) {
+      part(condition.relation, columns.relation, columns.value - 4);
+      value_x = columns.value;
+    }
+    const int end = part(condition.value, value_x, columns.end - pruned_width);
     if (!condition.pruned) return;
     svg_.Line({columns.subject - 2, base_line - 4}, {end + 2, base_line - 4}, "d-cut");
     svg_.Text(columns.end, base_line, "dropped", {"d-3", 11, TextAnchor::kEnd});

@@ -39,27 +39,59 @@ std::vector<KeyMoment> Candidates(const Run& run, const EpisodeSummary& summary)
   return candidates;
 }
 
-// The candidate of a kind that is farthest in time from all of that kind chosen before; the first where none
-// was.
-std::size_t Farthest(const std::vector<KeyMoment>& candidates, const std::vector<bool>& chosen,
-                     MomentKind kind) {
-  std::size_t best = candidates.size();
-  std::int64_t best_distance = -1;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (chosen[i] || candidates[i].kind != kind) continue;
-    std::int64_t distance = kForever.us;
-    for (std::size_t j = 0; j < candidates.size(); ++j) {
-      if (!chosen[j] || candidates[j].kind != kind) continue;
-      const std::int64_t away = (candidates[i].at - candidates[j].at).us;
-      distance = std::min(distance, away < 0 ? -away : away);
+// Picks candidates one by one: of each kind the first, then the one farthest in time from all of that kind
+// picked before.
+class Picker {
+ public:
+  explicit Picker(const std::vector<KeyMoment>& candidates)
+      : candidates_(candidates),
+        picked_(candidates.size(), false),
+        distance_(candidates.size(), kForever.us) {}
+
+  bool Pick() {
+    std::size_t best = candidates_.size();
+    double best_weight = 0;
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      const std::size_t next = Farthest(static_cast<MomentKind>(kind));
+      const double weight = kWeights[kind] / (1 + kWear[kind] * count_[kind]);
+      if (next == candidates_.size() || weight <= best_weight) continue;
+      best = next;
+      best_weight = weight;
     }
-    if (distance > best_distance) {
-      best_distance = distance;
-      best = i;
+    if (best == candidates_.size()) return false;
+    picked_[best] = true;
+    count_[static_cast<std::size_t>(candidates_[best].kind)] += 1;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (candidates_[i].kind != candidates_[best].kind) continue;
+      const std::int64_t away = (candidates_[i].at - candidates_[best].at).us;
+      distance_[i] = std::min(distance_[i], away < 0 ? -away : away);
     }
+    return true;
   }
-  return best;
-}
+
+  std::vector<KeyMoment> Picked() const {
+    std::vector<KeyMoment> moments;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (picked_[i]) moments.push_back(candidates_[i]);
+    }
+    return moments;
+  }
+
+ private:
+  std::size_t Farthest(MomentKind kind) const {
+    std::size_t best = candidates_.size();
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      if (picked_[i] || candidates_[i].kind != kind) continue;
+      if (best == candidates_.size() || distance_[i] > distance_[best]) best = i;
+    }
+    return best;
+  }
+
+  const std::vector<KeyMoment>& candidates_;
+  std::vector<bool> picked_;
+  std::vector<std::int64_t> distance_;  // to the nearest one of its kind that is picked
+  std::array<double, kKinds> count_ = {};
+};
 
 // Sentences mark quoted knowledge by back quotes; a caption has the quotes of print.
 std::string InPrint(std::string_view sentence) {
@@ -91,37 +123,24 @@ std::vector<KeyMoment> FirstAndLastFrame(const Run& run, std::size_t max) {
 }  // namespace
 
 std::vector<KeyMoment> KeyMomentsOf(const Run& run, std::size_t max) {
-  std::vector<KeyMoment> candidates = Candidates(run, Summarise(run));
-  std::vector<KeyMoment> moments;
-  if (candidates.empty()) {
-    moments = FirstAndLastFrame(run, max);
-  } else {
-    // Far more candidates than pictures are not looked at one by one: the first and the last of them serve.
-    constexpr std::size_t kMost = 2000;
-    if (candidates.size() > kMost) {
-      candidates.erase(candidates.begin() + kMost / 2, candidates.end() - kMost / 2);
-    }
-    std::vector<bool> chosen(candidates.size(), false);
-    std::array<double, kKinds> count = {};
-    for (std::size_t n = 0; n < max; ++n) {
-      std::size_t best = candidates.size();
-      double best_weight = 0;
-      for (std::size_t kind = 0; kind < kKinds; ++kind) {
-        const std::size_t next = Farthest(candidates, chosen, static_cast<MomentKind>(kind));
-        const double weight = kWeights[kind] / (1 + kWear[kind] * count[kind]);
-        if (next == candidates.size() || weight <= best_weight) continue;
-        best = next;
-        best_weight = weight;
-      }
-      if (best == candidates.size()) break;
-      chosen[best] = true;
-      count[static_cast<std::size_t>(candidates[best].kind)] += 1;
-    }
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (chosen[i]) moments.push_back(candidates[i]);
-    }
+  const std::vector<KeyMoment> candidates = Candidates(run, Summarise(run));
+  Picker picker(candidates);
+  for (std::size_t n = 0; n < max && picker.Pick(); ++n) {
   }
+  std::vector<KeyMoment> moments = candidates.empty() ? FirstAndLastFrame(run, max) : picker.Picked();
   for (KeyMoment& moment : moments) moment.caption = CaptionOf(run, moment);
+  return moments;
+}
+
+std::vector<KeyMoment> MomentsAt(const Run& run, const std::vector<Time>& times) {
+  const std::vector<KeyMoment> candidates = Candidates(run, Summarise(run));
+  std::vector<KeyMoment> moments;
+  for (const Time at : times) {
+    const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                    [at](const KeyMoment& candidate) { return candidate.at == at; });
+    moments.push_back(found != candidates.end() ? *found : KeyMoment{at, MomentKind::kStart, {}, ""});
+    moments.back().caption = CaptionOf(run, moments.back());
+  }
   return moments;
 }
 

@@ -23,6 +23,10 @@ struct KeyMoment {
 // failures before all else. A run in which nothing of the kind happened gives its first and last frame.
 std::vector<KeyMoment> KeyMomentsOf(const Run& run, std::size_t max);
 
+// What there is to say about these times, in their order; a frame's own sentence where nothing weighty
+// happened.
+std::vector<KeyMoment> MomentsAt(const Run& run, const std::vector<Time>& times);
+
 // Only the times, for whoever draws the pictures.
 std::vector<Time> KeyMoments(const Run& run, std::size_t max);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "engine/base/text.h"
@@ -29,7 +30,10 @@ constexpr int kCurvesLeft = 968;
 constexpr int kFullGraphHeight = 560;  // bands are opened as long as the graph stays below, in its own pixels
 constexpr int kLongestGraph = 1500;    // bands beyond are counted, not drawn
 constexpr std::size_t kRowsOnPaper = 10;
-constexpr std::size_t kMostCurves = 7;
+constexpr int kCurvePitch = 160;  // at least, from one curve to the next
+constexpr int kSectionHead = 72;  // heading and time axis of a group of curves
+constexpr int kNoteHeight = 24;
+constexpr int kLeastCurves = 4;  // drawn even where the graph is shorter
 
 std::string Base64(std::string_view bytes) {
   static constexpr std::string_view kDigits =
@@ -142,7 +146,9 @@ class Sheet {
   // frames
 
   Status DrawFrames() {
-    const std::vector<KeyMoment> moments = KeyMomentsOf(run_, run_.frames().size() + 1);
+    std::vector<Time> times;
+    for (const SheetFrame& frame : frames_.frames) times.push_back(frame.at);
+    const std::vector<KeyMoment> moments = MomentsAt(run_, times);
     constexpr int kGap = (kContentWidth - 3 * kSheetFrameWidth) / 2;
     const std::size_t count = std::min(frames_.frames.size(), kSheetFrames);
     for (std::size_t i = 0; i < count; ++i) {
@@ -150,9 +156,7 @@ class Sheet {
       const Rect place{kMargin + static_cast<int>(i % 3) * (kSheetFrameWidth + kGap),
                        y_ + static_cast<int>(i / 3) * (kSheetFrameHeight + kCaptionHeight), kSheetFrameWidth,
                        kSheetFrameHeight};
-      const auto moment = std::find_if(moments.begin(), moments.end(),
-                                       [&](const KeyMoment& candidate) { return candidate.at == frame.at; });
-      const std::string caption = moment != moments.end() ? moment->caption : FrameSentence(frame.at);
+      const std::string& caption = moments[i].caption;
       const std::optional<Size> size = SizeOfPng(frame.png);
       if (!size) {
         return Error{"the picture for " + SecondsText(frame.at) +
@@ -163,11 +167,6 @@ class Sheet {
     }
     y_ += static_cast<int>((count + 2) / 3) * (kSheetFrameHeight + kCaptionHeight);
     return Ok();
-  }
-
-  std::string FrameSentence(Time at) const {
-    const std::optional<std::size_t> frame = run_.FrameAt(at);
-    return frame ? SentenceOfFrame(run_, *frame) : "";
   }
 
   void DrawStill(const SheetFrame& frame, Size size, const Rect& place, const std::string& caption) {
@@ -337,68 +336,98 @@ class Sheet {
   // -----------------------------------------------------------------------------------------------------------
   // curves
 
-  // Those made by analogy; where there are none, those learned; where there are none, those whose evidence
-  // moved.
-  std::vector<ModelHistory> HistoriesToShow(std::string& heading, std::size_t& left_out) const {
+  struct CurveSection {
+    std::string heading;
     std::vector<ModelHistory> histories;
-    const auto take = [&](const std::vector<ModelId>& models, const std::string& words) {
-      if (!histories.empty()) return;
-      heading = words;
-      for (const ModelId id : models) histories.push_back(HistoryOf(run_, id));
-    };
-    take(summary_.by_analogy, "How sure it was of what it made by analogy");
-    take(summary_.learned, "How sure it was of what it learned");
-    std::vector<ModelId> moved;
-    for (const auto& [id, record] : run_.final_knowledge().models()) {
-      if (histories.empty() && HistoryOf(run_, id).steps.size() > 1) moved.push_back(id);
+    std::size_t left_out = 0;
+  };
+
+  // What was made by analogy; then what was learned otherwise and put to the test, as far as there is room
+  // beside the graph. Where nothing was learned: whatever was put to the test.
+  std::vector<CurveSection> Sections(int height) const {
+    CurveSection analogies{"How sure it was of what it made by analogy", {}, 0};
+    CurveSection lessons{"How sure it was of what it learned", {}, 0};
+    CurveSection given{"How sure it was", {}, 0};
+    const std::set<ModelId> learned(summary_.learned.begin(), summary_.learned.end());
+    const std::set<ModelId> by_analogy(summary_.by_analogy.begin(), summary_.by_analogy.end());
+    for (ModelHistory& history : Histories(run_)) {
+      const bool tested = history.steps.size() > 1;
+      if (by_analogy.contains(history.model)) {
+        analogies.histories.push_back(std::move(history));
+      } else if (learned.contains(history.model) && (tested || by_analogy.empty())) {
+        lessons.histories.push_back(std::move(history));
+      } else if (learned.empty() && tested) {
+        given.histories.push_back(std::move(history));
+      }
     }
-    take(moved, "How sure it was");
-    if (histories.size() <= kMostCurves) return histories;
-    // Those with the most outcomes, in their old order.
-    left_out = histories.size() - kMostCurves;
-    std::vector<std::size_t> lengths;
-    for (const ModelHistory& history : histories) lengths.push_back(history.steps.size());
-    std::vector<std::size_t> order(histories.size());
+    std::vector<CurveSection> sections;
+    int room = std::max(kLeastCurves * kCurvePitch, height);
+    for (CurveSection* section : {&analogies, &lessons, &given}) {
+      const int most = (room - kSectionHead) / kCurvePitch;
+      if (section->histories.empty() || most < 1) continue;
+      KeepMostTested(*section, static_cast<std::size_t>(most));
+      room -= kSectionHead + static_cast<int>(section->histories.size()) * kCurvePitch;
+      sections.push_back(std::move(*section));
+    }
+    return sections;
+  }
+
+  // Those with the most outcomes, in their old order.
+  static void KeepMostTested(CurveSection& section, std::size_t most) {
+    if (section.histories.size() <= most) return;
+    section.left_out = section.histories.size() - most;
+    std::vector<std::size_t> order(section.histories.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
-    order.resize(kMostCurves);
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return section.histories[a].steps.size() > section.histories[b].steps.size();
+    });
+    order.resize(most);
     std::sort(order.begin(), order.end());
-    std::vector<ModelHistory> longest;
-    for (const std::size_t i : order) longest.push_back(std::move(histories[i]));
-    return longest;
+    std::vector<ModelHistory> kept;
+    for (const std::size_t i : order) kept.push_back(std::move(section.histories[i]));
+    section.histories = std::move(kept);
   }
 
   int DrawCurves(int top, int height) {
-    std::string heading;
-    std::size_t left_out = 0;
-    const std::vector<ModelHistory> histories = HistoriesToShow(heading, left_out);
-    if (histories.empty()) {
+    const std::vector<CurveSection> sections = Sections(height);
+    if (sections.empty()) {
       Heading(kCurvesLeft, top, "How sure it was");
       svg_.Text(kCurvesLeft, top + 34, "No model was learned, and none was put to the test.", {"d-2", 14});
       return top + 60;
     }
-    Heading(kCurvesLeft, top, heading);
+    std::size_t curves = 0;
+    int heads = 0;
+    for (const CurveSection& section : sections) {
+      curves += section.histories.size();
+      heads += kSectionHead + (section.left_out > 0 ? kNoteHeight : 0);
+    }
+    const int pitch = std::clamp((height - heads) / static_cast<int>(curves), kCurvePitch, 196);
+    int y = top;
+    for (const CurveSection& section : sections) y = DrawCurveSection(section, y, pitch);
+    return y - kSectionHead / 2;
+  }
+
+  int DrawCurveSection(const CurveSection& section, int y, int pitch) {
     const Time from = run_.frames().empty() ? Time{0} : run_.frames().front().interval.after;
     const CurveScale scale{TimeScale(from, summary_.end, kCurvesLeft + 44, kRight - 62),
-                           LowestQuarter(histories)};
-    const int room = (height - 40) / static_cast<int>(histories.size());
-    const int pitch = std::clamp(room, 128, 196);
-    int y = top + 40;
-    for (const ModelHistory& history : histories) {
+                           LowestQuarter(section.histories)};
+    Heading(kCurvesLeft, y, section.heading);
+    y += 40;
+    for (const ModelHistory& history : section.histories) {
       DrawCurveHead(history.model, y);
       DrawConfidenceCurve(svg_, run_, history, {kCurvesLeft, y + 46, kRight - kCurvesLeft, pitch - 90},
                           scale);
       y += pitch;
     }
-    DrawTimeAxis(svg_, scale.time, y - 8);
-    if (left_out > 0) {
-      y += 20;
-      svg_.Text(kCurvesLeft, y,
-                "Not drawn: " + Plural(left_out, "more model", "more models") + "; the report has all.",
-                {"d-3", 13});
+    DrawTimeAxis(svg_, scale.time, y - 12);
+    if (section.left_out > 0) {
+      svg_.Text(
+          kCurvesLeft, y + 10,
+          "Not drawn: " + Plural(section.left_out, "more model", "more models") + "; the report has all.",
+          {"d-3", 13});
+      y += kNoteHeight;
     }
-    return y;
+    return y + kSectionHead - 40;
   }
 
   void DrawCurveHead(ModelId id, int y) {

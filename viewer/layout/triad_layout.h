@@ -89,8 +89,8 @@ struct TriadBand {
 
 struct TriadOptions {
   int left_margin = 34;  // room for the links of analogies
-  int state_width = 264;
-  int ring_column_width = 112;
+  int state_width = 272;
+  int ring_column_width = 118;
   int model_width = 204;
   int max_lines = 12;  // conditions shown in an open card; beyond, the last line says how many more
   // Rows of a band, and cards of a list; more are counted, not shown. For paper: a page shows all.

@@ -1,0 +1,148 @@
+#include "viewer/draw/graph_drawing.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "engine/query/goal_tree.h"
+#include "engine/query/why.h"
+#include "tests/viewer/draw/svg_check.h"
+#include "viewer/draw/tree_drawing.h"
+
+namespace aerascope {
+namespace {
+
+// The same card has the same outline whatever the time.
+std::vector<std::string> PlacesOfCards(const Run& run, const TriadLayout& layout, Time at) {
+  ModelGraphView view;
+  view.at = at;
+  const std::string svg = ModelGraphSvg(run, layout, view, LightTheme());
+  std::vector<std::string> places;
+  for (std::size_t begin = svg.find("data-id=\"cst"); begin != std::string::npos;
+       begin = svg.find("data-id=\"cst", begin + 1)) {
+    const std::size_t rect = svg.find("<rect", begin);
+    places.push_back(svg.substr(begin, svg.find('>', begin) - begin) +
+                     svg.substr(rect, svg.find("class", rect) - rect));
+  }
+  return places;
+}
+
+TEST(GraphDrawing, NoCardMovesAsTimeMoves) {
+  const aerascope::Run run = PaperRun();
+  const TriadLayout layout = LayOutKnowledge(run);
+  const std::vector<std::string> at_the_end = PlacesOfCards(run, layout, run.end());
+
+  EXPECT_EQ(at_the_end.size(), run.final_knowledge().composite_states().size());
+  for (int second = 0; second < 15; ++second) {
+    EXPECT_EQ(PlacesOfCards(run, layout, Time{second * 1'000'000}), at_the_end) << second;
+  }
+}
+
+TEST(GraphDrawing, WhatIsKnownLaterIsADottedPlaceThatSaysWhen) {
+  const aerascope::Run run = PaperRun();
+  const TriadLayout layout = LayOutKnowledge(run);
+  ModelGraphView view;
+  view.at = Time{7'000'000};
+
+  const std::string during = ModelGraphSvg(run, layout, view, LightTheme());
+  view.at = run.end();
+  const std::string at_the_end = ModelGraphSvg(run, layout, view, LightTheme());
+
+  EXPECT_EQ(CountOf(during, "class=\"d-slot\""), 3u) << "three analogies are still to come";
+  EXPECT_NE(during.find("made at 9 s"), std::string::npos);
+  EXPECT_EQ(CountOf(at_the_end, "class=\"d-slot\""), 0u);
+}
+
+TEST(GraphDrawing, DroppedConditionsAreStruckInBothForms) {
+  const aerascope::Run run = PaperRun();
+  const TriadLayout layout = LayOutKnowledge(run);
+  ModelGraphView view;
+  view.at = run.end();
+
+  const std::string folded = ModelGraphSvg(run, layout, view, LightTheme());
+  for (std::size_t band = 0; band < layout.bands.size(); ++band) view.open_bands.insert(band);
+  const std::string open = ModelGraphSvg(run, layout, view, LightTheme());
+
+  EXPECT_EQ(CountOf(folded, "class=\"d-cut\""), 4u);
+  EXPECT_EQ(CountOf(open, "class=\"d-cut\""), 4u);
+  EXPECT_EQ(CountOf(open, ">dropped<"), 4u);
+  EXPECT_NE(open.find("by analogy: 3 of 4 conditions hold for s1"), std::string::npos);
+}
+
+TEST(GraphDrawing, ConfidenceIsThatOfTheTime) {
+  const aerascope::Run run = PaperRun();
+  const TriadLayout layout = LayOutKnowledge(run);
+  ModelGraphView view;
+  view.at = Time{7'000'000};
+  EXPECT_EQ(CountOf(ModelGraphSvg(run, layout, view, LightTheme()), ">.75<"), 1u);
+
+  view.at = run.end();
+  const std::string svg = ModelGraphSvg(run, layout, view, LightTheme());
+
+  EXPECT_EQ(CountOf(svg, ">.75<"), 0u);
+  EXPECT_EQ(CountOf(svg, ">.88<"), 3u);
+  EXPECT_EQ(CountOf(svg, ">.92<"), 1u);
+}
+
+TEST(GraphDrawing, EverySvgIsWellFormedAlsoWithHostileNames) {
+  PaperEpisodeOptions hostile;
+  hostile.cylinder = "</text><script>alert(1)</script>\x1b\xe2\x80\xae";
+  hostile.scenario = "<b>&\xff\x01";
+  const aerascope::Run run = PaperRun(hostile);
+  ModelGraphView view;
+  view.at = run.end();
+  view.open_bands = {0, 1, 2, 3};
+  EventId reached;
+  for (const EventId id : run.OfKind<GoalAchieved>()) reached = id;
+
+  for (const std::string& svg :
+       {ModelGraphSvg(run, LayOutKnowledge(run), view, DarkTheme()),
+        CauseTreeSvg(run, Why(run, reached), CauseDirection::kWhy, LightTheme()),
+        CauseTreeSvg(run, LedTo(run, EventId{1}), CauseDirection::kLedTo, LightTheme()),
+        GoalTreeSvg(run, MakeGoalTree(run), LightTheme())}) {
+    const std::string said = WhatXmllintSays(svg);
+    if (said == kNoXmllint) GTEST_SKIP() << said;
+    EXPECT_EQ(said, "");
+    EXPECT_EQ(svg.find("<script"), std::string::npos);
+  }
+}
+
+TEST(GraphDrawing, ACauseTreeHasABoxForEachEventAndMarksTheOneAskedAbout) {
+  const aerascope::Run run = PaperRun();
+  const EventId reached = run.OfKind<GoalAchieved>().front();
+  const CauseTree tree = Why(run, reached);
+
+  const std::string svg = CauseTreeSvg(run, tree, CauseDirection::kWhy, LightTheme());
+
+  EXPECT_EQ(CountOf(svg, "data-id=\"#"), tree.nodes.size());
+  EXPECT_EQ(CountOf(svg, "class=\"d-card d-chosen\""), 1u);
+}
+
+TEST(GraphDrawing, TreesBeyondTheLimitSayWhatIsLeftOut) {
+  const aerascope::Run run = LongRun(400);
+
+  const std::string svg = CauseTreeSvg(run, LedTo(run, EventId{1}), CauseDirection::kLedTo, LightTheme());
+
+  EXPECT_EQ(CountOf(svg, "data-id=\"#"), kMaxDrawnBoxes);
+  EXPECT_NE(svg.find("more are not drawn."), std::string::npos);
+}
+
+// The drawing of one triad, small enough to be read.
+TEST(GraphDrawing, OneTriadIsDrawnAsInTheGoldenFile) {
+  const aerascope::Run run = LongRun(1);
+  ModelGraphView view;
+  view.at = run.end();
+  view.open_bands = {0};
+  Svg svg;
+  DrawModelGraph(svg, run, LayOutKnowledge(run), view);
+
+  const std::string path = std::string(AERASCOPE_SOURCE_DIR) + "/tests/viewer/draw/golden/one_triad.svg.txt";
+  std::ifstream file(path, std::ios::binary);
+  const std::string golden((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+
+  EXPECT_EQ(svg.content(), golden) << "if the new drawing is right, put it into " << path;
+}
+
+}  // namespace
+}  // namespace aerascope
