@@ -59,12 +59,12 @@ int Main(int argc, char** argv) {
   AddTrialsCommand(app, &chosen);
   AddReportCommand(app, &chosen);
   AddFrameCommand(app, &chosen);
-  // later:   AddKbCommand(app, &chosen);
-  // later:   AddEventsCommand(app, &chosen);
+  AddKbCommand(app, &chosen);
+  AddEventsCommand(app, &chosen);
   AddWhyCommand(app, &chosen);
-  // later:   AddDiffCommand(app, &chosen);
-  // later:   AddExportCommand(app, &chosen);
-  // later:   AddSnapshotCommand(app, &chosen);
+  AddDiffCommand(app, &chosen);
+  AddExportCommand(app, &chosen);
+  AddSnapshotCommand(app, &chosen);
   AddVerifyCommand(app, &chosen);
   AddDoctorCommand(app, &chosen);
   try {

@@ -1,0 +1,64 @@
+// aerascope diff: what one agent knows and another does not.
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <sstream>
+
+#include "engine/query/kb_diff.h"
+#include "exporters/diff/diff.h"
+#include "viewer/app/commands.h"
+#include "viewer/app/file_output.h"
+#include "viewer/app/moment.h"
+#include "viewer/app/terminal.h"
+
+namespace aerascope {
+namespace {
+
+struct Options {
+  std::string left;
+  std::string right;
+  std::string format = "text";
+  std::string output = "-";
+};
+
+Result<KnowledgeBase> KnowledgeIn(const std::string& text) {
+  const EpisodeAt which = SplitEpisodeAt(text);
+  auto run = OpenRun(which.path);
+  if (!run) return run.error();
+  auto at = ParseMoment(which.moment, *run);
+  if (!at) return at.error();
+  return run->KnowledgeBaseAt(*at);
+}
+
+int Compare(const Options& options) {
+  auto left = KnowledgeIn(options.left);
+  if (!left) return Fail(left.error());
+  auto right = KnowledgeIn(options.right);
+  if (!right) return Fail(right.error());
+  const KbDiffResult difference = DiffKnowledge(*left, *right);
+  const DiffNames names{options.left, options.right};
+  std::ostringstream text;
+  const Status status = options.format == "json"       ? WriteDiffJson(difference, names, text)
+                        : options.format == "markdown" ? WriteDiffMarkdown(difference, names, text)
+                                                       : WriteDiffText(difference, names, text);
+  if (!status) return Fail(status.error());
+  if (Status written = WriteFile(options.output, text.str()); !written) return Fail(written.error());
+  return difference.empty() ? kDone : kDifferent;
+}
+
+}  // namespace
+
+void AddDiffCommand(CLI::App& app, Chosen* chosen) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("diff", "Compare two knowledge bases by content; status 0 if equal, 1 if they differ");
+  command->add_option("left", options->left, "An episode, or episode@TIME")->required();
+  command->add_option("right", options->right, "An episode, or episode@TIME")->required();
+  command->add_option("--format", options->format, "text, json or markdown")
+      ->check(CLI::IsMember({"text", "json", "markdown"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "The file to write; - is standard output")->capture_default_str();
+  command->callback([=] { *chosen = [=] { return Compare(*options); }; });
+}
+
+}  // namespace aerascope
