@@ -19,7 +19,7 @@ function graphPane(app) {
     heads.forEach((text, i) => {
       const ring = i === 1;
       columns.append(svg("text", { class: "column", y: 14, text,
-        x: ring ? graph.ring_column[0] + graph.ring_column[1] / 2 : graph.columns[i],
+        x: ring ? graph.ring_column[0] + graph.ring_column[1] / 2 - 10 : graph.columns[i],
         "text-anchor": ring ? "middle" : "start" }));
     });
     graph.bands.forEach((band, index) => {

@@ -91,11 +91,14 @@ class GraphAuthor {
 
   std::string OriginWord(Origin origin, Time created) const {
     switch (origin) {
-      case Origin::kSeed: return "given";
-      case Origin::kAnalogy: return "made";
+      case Origin::kSeed:
+        return "given";
+      case Origin::kAnalogy:
+        return "made";
       case Origin::kInduction:
       case Origin::kPredictionFailure:
-      case Origin::kGoalSuccess: break;
+      case Origin::kGoalSuccess:
+        break;
     }
     return context_.TaughtAt(created) ? "taught" : "learned";
   }

@@ -200,8 +200,9 @@ function inspectorPane(app) {
     if (data.nodes.length < 2) return null;
     const root = el("ol", { class: "tree" });
     const lists = [root];
-    for (const node of data.nodes) {
-      const item = el("li", {}, causeRow(node));
+    for (const [event, depth, sign] of data.nodes) {
+      const node = { depth, more: sign === 2 };
+      const item = el("li", {}, causeRow(event, sign === 1));
       if (node.more) item.append(el("div", { class: "more", text: "and what led to that" }));
       if (!lists[node.depth]) {
         lists[node.depth] = el("ul", {});
@@ -220,15 +221,16 @@ function inspectorPane(app) {
     if (!data.nodes.length) return null;
     const rest = data.left_out ? el("p", { class: "verdict quiet", text: `and ${data.left_out} more` }) : null;
     return block(heading(subject.kind === "thing" ? "What happened with it?" : "What did it lead to?", "", "part-led"),
-      el("ol", { class: "tree" }, ...data.nodes.map((node) => el("li", {}, causeRow(node)))), rest);
+      el("ol", { class: "tree" }, ...data.nodes.map(([event]) => el("li", {}, causeRow(event)))), rest);
   }
-  function causeRow(node) {
+  function causeRow(event, toldAbove) {
+    const node = app.report.events[event];
     const still = lastAt(app.report.film.stills, node.at, (s) => s.at);
-    const button = el("button", { type: "button", class: node.failed ? "fail" : "", title: "#" + node.event,
+    const button = el("button", { type: "button", class: node.failed ? "fail" : "", title: "#" + event,
       on: { click: () => { if (node.subject) app.select(node.subject); app.go(node.at); } } });
     if (still) button.append(thumbnail(still, node.text));
     button.append(el("span", { class: "what" }, mark(node.failed ? "cross" : node.mark, node.failed ? "fail" : ""),
-      el("span", {}, ...sentence(node.text), node.again ? el("span", { class: "quiet", text: " (see above)" }) : "")), el("time", { text: secondsText(node.at) }));
+      el("span", {}, ...sentence(node.text), toldAbove ? el("span", { class: "quiet", text: " (see above)" }) : "")), el("time", { text: secondsText(node.at) }));
     return button;
   }
 

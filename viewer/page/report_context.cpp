@@ -2,13 +2,10 @@
 
 #include <algorithm>
 
+#include "viewer/page/overloaded.h"
+
 namespace aerascope {
 namespace {
-
-template <class... Handlers>
-struct Overloaded : Handlers... {
-  using Handlers::operator()...;
-};
 
 // The last entity named in a term, in reading order.
 std::string LastEntity(const Term& term) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/base/text.h"
+#include "viewer/page/cause_data.h"
 #include "viewer/page/graph_data.h"
 #include "viewer/page/report_context.h"
 #include "viewer/page/subject_data.h"
@@ -35,6 +36,7 @@ class ReportAuthor {
   }
 
   json Write() const {
+    const json subjects = SubjectData(context_);
     return {{"title", Printable(run_.title())},
             {"summary", Summary()},
             {"provenance", Provenance()},
@@ -47,7 +49,8 @@ class ReportAuthor {
             {"graph", GraphData(context_)},
             {"pieces", Pieces()},
             {"lanes", Lanes()},
-            {"subjects", SubjectData(context_)},
+            {"events", TellEvents(context_, subjects)},
+            {"subjects", subjects},
             {"aliases", Aliases()}};
   }
 
@@ -294,8 +297,10 @@ class ReportAuthor {
                       {"subject", IdText(id)}});
       all_taught = all_taught && (derived || context_.TaughtAt(record->created));
     }
-    return {{"phases", phases},           {"goals", goals},   {"commands", commands},
-            {"predictions", predictions}, {"taught", taught}, {"taught_label", all_taught ? "Learned: taught" : "Learned"}, {"analogy", analogy}};
+    return {{"phases", phases},     {"goals", goals},
+            {"commands", commands}, {"predictions", predictions},
+            {"taught", taught},     {"taught_label", all_taught ? "Learned: taught" : "Learned"},
+            {"analogy", analogy}};
   }
 
   static std::string OutcomeWord(Outcome outcome) {
@@ -320,7 +325,8 @@ class ReportAuthor {
   // What a requirement model is about in a word: the command of its causal model, else its title.
   std::string ShortTitle(const Model& requirement) const {
     const ModelRecord* target = knowledge_.Find(TargetModel(requirement));
-    if (target != nullptr && IsCommand(target->model.lhs.payload)) return CommandWord(target->model.lhs.payload);
+    if (target != nullptr && IsCommand(target->model.lhs.payload))
+      return CommandWord(target->model.lhs.payload);
     return TitleOf(knowledge_, requirement.id);
   }
 

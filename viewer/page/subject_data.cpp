@@ -3,25 +3,15 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "engine/base/text.h"
-#include "engine/query/why.h"
+#include "viewer/page/cause_data.h"
+#include "viewer/page/overloaded.h"
 
 namespace aerascope {
 namespace {
 
 using nlohmann::json;
-
-// A page tells the nearest causes; the whole tree is one `aerascope why` away, and cut places say that there
-// is more.
-constexpr CauseLimits kWhyLimits{5, 60};
-constexpr std::size_t kEffectsShown = 12;
-
-template <class... Handlers>
-struct Overloaded : Handlers... {
-  using Handlers::operator()...;
-};
 
 std::string VerdictText(AnalogyVerdict verdict) {
   switch (verdict) {
@@ -361,7 +351,7 @@ class SubjectAuthor {
     return data;
   }
 
-  // ---- causes, effects
+  // ---- things of the world
 
   // Whether what an event says names the entity.
   static bool Names(const Event& event, const std::string& entity) {
@@ -394,15 +384,11 @@ class SubjectAuthor {
       data["title"] = shown;
       data["kind"] = "thing";
       data["name"] = shown;
-      json nodes = json::array();
-      std::size_t left_out = 0;
-      for (const Event& event : run_.events()) {
-        if (event.simulation.valid() || !Names(event, name)) continue;
-        if (nodes.size() < kEffectsShown) nodes.push_back(NodeData(event.id, 0));
-        else ++left_out;
-      }
-      data["led"] = {{"nodes", nodes}, {"left_out", left_out}};
-      data["why"] = {{"nodes", json::array()}, {"levels", 0}, {"first", 0}, {"cut", false}};
+      std::vector<EventId> happenings;
+      for (const Event& event : run_.events())
+        if (!event.simulation.valid() && Names(event, name)) happenings.push_back(event.id);
+      data["led"] = ListData(happenings);
+      data["why"] = NoWhyData();
       subjects["thing:" + shown] = std::move(data);
     }
   }
@@ -410,65 +396,8 @@ class SubjectAuthor {
   // An object that has an outcome is explained from there: the outcome's causes include its making.
   void AddCauses(json& data, EventId made, EventId outcome = {}) const {
     data["event"] = made.value;
-    data["why"] = TreeData(Why(run_, outcome.valid() ? outcome : made, kWhyLimits));
-    data["led"] = EffectData(made);
-  }
-
-  // Whether an effect is worth a line; what is only thought on the way is looked through.
-  bool IsShownEffect(const Event& event) const {
-    if (event.simulation.valid()) return false;
-    return std::visit(Overloaded{[](const PredictionSucceeded&) { return true; },
-                                 [](const PredictionFailed&) { return true; },
-                                 [](const AnalogyCompared&) { return true; }, [](const ModelCreated&) { return true; },
-                                 [](const ModelStateChanged&) { return true; }, [](const CommandIssued&) { return true; },
-                                 [](const CommandRefused&) { return true; }, [](const GoalAchieved&) { return true; },
-                                 [](const GoalFailed&) { return true; }, [](const DriveInjected&) { return true; },
-                                 [](const auto&) { return false; }},
-                      event.body);
-  }
-
-  // The nearest effects worth a line, in order of time, as a flat list.
-  json EffectData(EventId made) const {
-    std::set<EventId> seen{made};
-    std::vector<EventId> open{made};
-    std::vector<EventId> shown;
-    while (!open.empty()) {
-      const EventId event = open.back();
-      open.pop_back();
-      for (const EventId effect : run_.Effects(event)) {
-        if (!seen.insert(effect).second) continue;
-        if (IsShownEffect(*run_.Find(effect))) shown.push_back(effect);
-        else open.push_back(effect);
-      }
-    }
-    std::sort(shown.begin(), shown.end());
-    json nodes = json::array();
-    for (std::size_t i = 0; i < std::min(shown.size(), kEffectsShown); ++i) nodes.push_back(NodeData(shown[i], 0));
-    return {{"nodes", nodes}, {"left_out", shown.size() - nodes.size()}};
-  }
-
-  json NodeData(EventId id, int depth) const {
-    const Event& event = *run_.Find(id);
-    json data = {{"event", id.value},
-                 {"depth", depth},
-                 {"at", event.time.us},
-                 {"mark", MarkOf(event)},
-                 {"text", SentenceOf(run_, event)}};
-    if (TellsOfFailure(event)) data["failed"] = true;
-    if (const std::string subject = context_.SubjectOf(event); !subject.empty()) data["subject"] = subject;
-    return data;
-  }
-
-  json TreeData(const CauseTree& tree) const {
-    json nodes = json::array();
-    for (const CauseNode& node : tree.nodes) {
-      json data = NodeData(node.event, node.depth);
-      if (node.mark == CauseMark::kReference) data["again"] = true;
-      if (node.mark == CauseMark::kCut) data["more"] = true;
-      nodes.push_back(std::move(data));
-    }
-    return {
-        {"nodes", nodes}, {"levels", tree.levels}, {"first", tree.first_causes.size()}, {"cut", tree.cut}};
+    data["why"] = WhyData(context_, outcome.valid() ? outcome : made);
+    data["led"] = EffectData(context_, made);
   }
 
   const ReportContext& context_;

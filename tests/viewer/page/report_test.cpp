@@ -106,11 +106,11 @@ TEST(Report, WhyLeadsBackToWhatWasSeen) {
   const json subject = data["subjects"][data["lanes"]["analogy"][0]["subject"].get<std::string>()];
   const json& nodes = subject["why"]["nodes"];
   ASSERT_FALSE(nodes.empty());
-  EXPECT_EQ(nodes[0]["depth"], 0);
-  EXPECT_TRUE(
-      std::any_of(nodes.begin(), nodes.end(), [](const json& node) { return node["mark"] == "seen"; }));
-  for (std::size_t i = 1; i < nodes.size(); ++i)
-    EXPECT_LE(nodes[i]["depth"], nodes[i - 1]["depth"].get<int>() + 1);
+  EXPECT_EQ(nodes[0][1], 0);
+  EXPECT_TRUE(std::any_of(nodes.begin(), nodes.end(), [&](const json& node) {
+    return data["events"][std::to_string(node[0].get<int>())]["mark"] == "seen";
+  }));
+  for (std::size_t i = 1; i < nodes.size(); ++i) EXPECT_LE(nodes[i][1], nodes[i - 1][1].get<int>() + 1);
 }
 
 TEST(Report, EverySubjectNamedSomewhereExists) {
@@ -124,8 +124,11 @@ TEST(Report, EverySubjectNamedSomewhereExists) {
     for (const json& bar : lane) check(bar);
   for (const json& band : data["graph"]["bands"])
     for (const json& card : band["cards"]) check(card);
+  for (const json& event : data["events"]) check(event);
   for (const json& subject : data["subjects"])
-    for (const json& node : subject["why"]["nodes"]) check(node);
+    for (const char* list : {"why", "led"})
+      for (const json& node : subject[list]["nodes"])
+        EXPECT_TRUE(data["events"].contains(std::to_string(node[0].get<int>())));
 }
 
 TEST(Report, SameRunGivesTheSameBytes) {
