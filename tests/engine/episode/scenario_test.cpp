@@ -292,6 +292,13 @@ TEST(ScenarioErrors, TheWorld) {
             "scenario.toml:4:1: expected each entity once in the world, found 'h' twice");
 }
 
+// toml++ once ended the process here, in builds with assertions.
+TEST(ScenarioErrors, AKeyThatCannotBeginIsReported) {
+  EXPECT_THAT(Load("[ =]\n").error().message, StartsWith("scenario.toml:1:"));
+  EXPECT_THAT(Load("a.=5\n").error().message, StartsWith("scenario.toml:1:"));
+  EXPECT_THAT(Load("=5\n").error().message, StartsWith("scenario.toml:1:"));
+}
+
 TEST(ScenarioErrors, RandomlyDamagedScenariosAreAnswered) {
   std::ifstream file(kScenarios + "pick_and_place_scripted.toml");
   const std::string good{std::istreambuf_iterator<char>(file), {}};

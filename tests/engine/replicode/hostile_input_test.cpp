@@ -111,7 +111,7 @@ R:(mdl [] []
   std::mt19937 random(20240607);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   int read = 0;
-  for (int round = 0; round < 20'000; ++round) {
+  for (int round = 0; round < 6'000; ++round) {
     std::string text(kSeed);
     const std::size_t damages = 1 + below(4);
     for (std::size_t i = 0; i < damages; ++i) {
