@@ -5,9 +5,9 @@
 
 #include "engine/base/text.h"
 
-// toml++ 3.3 asserts some properties of its input which hostile text does not have (and which, where they fail, it then
-// reports as errors). Without NDEBUG these are its own TOML_ASSERT, else assumptions for the optimiser: in both cases
-// they are taken out.
+// toml++ 3.3 asserts some properties of its input which hostile text does not have (and which, where they
+// fail, it then reports as errors). Without NDEBUG these are its own TOML_ASSERT, else assumptions for the
+// optimiser: in both cases they are taken out.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_cast<void>(0)
@@ -51,13 +51,20 @@ ConfigValue FromToml(const toml::node& node) {
 
 std::string Found(const ConfigValue& value) {
   switch (value.kind) {
-    case ConfigValue::Kind::kTable: return "a table";
-    case ConfigValue::Kind::kList: return "a list";
-    case ConfigValue::Kind::kString: return "the text \"" + Printable(value.text.substr(0, 60)) + "\"";
-    case ConfigValue::Kind::kInteger: return std::to_string(value.integer);
-    case ConfigValue::Kind::kNumber: return FormatNumber(value.number);
-    case ConfigValue::Kind::kBool: return value.integer ? "true" : "false";
-    case ConfigValue::Kind::kOther: return "a date or time";
+    case ConfigValue::Kind::kTable:
+      return "a table";
+    case ConfigValue::Kind::kList:
+      return "a list";
+    case ConfigValue::Kind::kString:
+      return "the text \"" + Printable(value.text.substr(0, 60)) + "\"";
+    case ConfigValue::Kind::kInteger:
+      return std::to_string(value.integer);
+    case ConfigValue::Kind::kNumber:
+      return FormatNumber(value.number);
+    case ConfigValue::Kind::kBool:
+      return value.integer ? "true" : "false";
+    case ConfigValue::Kind::kOther:
+      return "a date or time";
   }
   return {};
 }
@@ -80,7 +87,9 @@ void ConfigErrors::AddMissing(const ConfigValue& table, std::string message) {
   entries_.push_back({true, table.line, table.column, ErrorAt({file_, table.line, table.column}, message)});
 }
 
-void ConfigErrors::Add(int line, int column, const Error& error) { entries_.push_back({false, line, column, error}); }
+void ConfigErrors::Add(int line, int column, const Error& error) {
+  entries_.push_back({false, line, column, error});
+}
 
 Status ConfigErrors::First() const {
   const auto first = std::min_element(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
@@ -94,7 +103,8 @@ ConfigTable::ConfigTable(const ConfigValue& table, std::string name, ConfigError
 
 const ConfigValue* ConfigTable::Find(std::string_view key) const {
   const auto it = std::find(table_->keys.begin(), table_->keys.end(), key);
-  return it == table_->keys.end() ? nullptr : &table_->items[static_cast<std::size_t>(it - table_->keys.begin())];
+  return it == table_->keys.end() ? nullptr
+                                  : &table_->items[static_cast<std::size_t>(it - table_->keys.begin())];
 }
 
 const ConfigValue* ConfigTable::Get(std::string_view key) {
@@ -104,7 +114,8 @@ const ConfigValue* ConfigTable::Get(std::string_view key) {
 
 const ConfigValue* ConfigTable::Require(std::string_view key) {
   const ConfigValue* value = Get(key);
-  if (!value) errors_->AddMissing(*table_, "expected the key '" + std::string(key) + "' in " + name_ + ", found none");
+  if (!value)
+    errors_->AddMissing(*table_, "expected the key '" + std::string(key) + "' in " + name_ + ", found none");
   return value;
 }
 
@@ -147,8 +158,8 @@ std::int64_t ConfigTable::Integer(std::string_view key, std::int64_t fallback, s
   if (value->kind == ConfigValue::Kind::kInteger && value->integer >= smallest && value->integer <= largest) {
     return value->integer;
   }
-  Fail(*value, "expected a whole number from " + std::to_string(smallest) + " to " + std::to_string(largest) + " for '" +
-                   std::string(key) + "', found " + Found(*value));
+  Fail(*value, "expected a whole number from " + std::to_string(smallest) + " to " + std::to_string(largest) +
+                   " for '" + std::string(key) + "', found " + Found(*value));
   return fallback;
 }
 
@@ -161,8 +172,10 @@ std::vector<std::string> ConfigTable::Strings(std::string_view key) {
     return texts;
   }
   for (const ConfigValue& item : value->items) {
-    if (item.kind == ConfigValue::Kind::kString && !item.text.empty()) texts.push_back(item.text);
-    else Fail(item, "expected a text in quotes in the list '" + std::string(key) + "', found " + Found(item));
+    if (item.kind == ConfigValue::Kind::kString && !item.text.empty())
+      texts.push_back(item.text);
+    else
+      Fail(item, "expected a text in quotes in the list '" + std::string(key) + "', found " + Found(item));
   }
   return texts;
 }
@@ -188,7 +201,8 @@ std::array<double, 2> ConfigTable::Pair(std::string_view key, std::array<double,
   const bool is_pair = value->kind == ConfigValue::Kind::kList && value->items.size() == 2;
   const std::vector<double> numbers = is_pair ? Numbers(key, smallest, largest) : std::vector<double>();
   if (numbers.size() == 2) return {numbers[0], numbers[1]};
-  if (!is_pair) Fail(*value, "expected two numbers [x, y] for '" + std::string(key) + "', found " + Found(*value));
+  if (!is_pair)
+    Fail(*value, "expected two numbers [x, y] for '" + std::string(key) + "', found " + Found(*value));
   return fallback;
 }
 
@@ -201,15 +215,16 @@ std::optional<std::size_t> ConfigTable::Choice(std::string_view key, const std::
     return static_cast<std::size_t>(it - choices.begin());
   }
   const std::string closest = ClosestWord(value->text, choices);
-  Fail(*value, "expected one of \"" + Join(choices, "\", \"") + "\" for '" + std::string(key) + "', found " + Found(*value) +
-                   (closest.empty() ? "" : "; did you mean \"" + closest + "\"?"));
+  Fail(*value, "expected one of \"" + Join(choices, "\", \"") + "\" for '" + std::string(key) + "', found " +
+                   Found(*value) + (closest.empty() ? "" : "; did you mean \"" + closest + "\"?"));
   return std::nullopt;
 }
 
 std::optional<ConfigTable> ConfigTable::Table(std::string_view key) {
   const ConfigValue* value = Get(key);
   if (!value) return std::nullopt;
-  if (value->kind == ConfigValue::Kind::kTable) return ConfigTable(*value, "[" + std::string(key) + "]", errors_);
+  if (value->kind == ConfigValue::Kind::kTable)
+    return ConfigTable(*value, "[" + std::string(key) + "]", errors_);
   Fail(*value, "expected a table [" + std::string(key) + "], found " + Found(*value));
   return std::nullopt;
 }
@@ -223,8 +238,10 @@ std::vector<ConfigTable> ConfigTable::Tables(std::string_view key) {
     return tables;
   }
   for (const ConfigValue& item : value->items) {
-    if (item.kind == ConfigValue::Kind::kTable) tables.emplace_back(item, "[[" + std::string(key) + "]]", errors_);
-    else Fail(item, "expected tables [[" + std::string(key) + "]], found " + Found(item));
+    if (item.kind == ConfigValue::Kind::kTable)
+      tables.emplace_back(item, "[[" + std::string(key) + "]]", errors_);
+    else
+      Fail(item, "expected tables [[" + std::string(key) + "]], found " + Found(item));
   }
   return tables;
 }
@@ -235,9 +252,10 @@ void ConfigTable::Finish() {
     const std::string& key = table_->keys[i];
     if (known_.contains(key)) continue;
     const std::string closest = ClosestWord(key, known);
-    errors_->Add(table_->key_positions[i].first, table_->key_positions[i].second,
-                 "expected a known key in " + name_ + ", found '" + Printable(key) + "'; " +
-                     (closest.empty() ? "known are " + Join(known, ", ") : "did you mean '" + closest + "'?"));
+    errors_->Add(
+        table_->key_positions[i].first, table_->key_positions[i].second,
+        "expected a known key in " + name_ + ", found '" + Printable(key) + "'; " +
+            (closest.empty() ? "known are " + Join(known, ", ") : "did you mean '" + closest + "'?"));
   }
 }
 

@@ -1,5 +1,5 @@
-// A configuration file as plain data with positions, and readers that turn it into structs and refuse what they do not
-// know. The file format is TOML 1.0.
+// A configuration file as plain data with positions, and readers that turn it into structs and refuse what
+// they do not know. The file format is TOML 1.0.
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@ struct ConfigValue {
   enum class Kind { kTable, kList, kString, kInteger, kNumber, kBool, kOther };
 
   Kind kind = Kind::kOther;
-  std::string text;                // of a string
-  std::int64_t integer = 0;        // of an integer or bool
-  double number = 0;               // of a number or integer
-  std::vector<ConfigValue> items;  // of a list, or the values of a table
-  std::vector<std::string> keys;   // of a table, in order of the alphabet
+  std::string text;                                // of a string
+  std::int64_t integer = 0;                        // of an integer or bool
+  double number = 0;                               // of a number or integer
+  std::vector<ConfigValue> items;                  // of a list, or the values of a table
+  std::vector<std::string> keys;                   // of a table, in order of the alphabet
   std::vector<std::pair<int, int>> key_positions;  // line and column of each key
   int line = 1;
   int column = 1;
@@ -32,13 +32,15 @@ struct ConfigValue {
 // The whole file as a table.
 Result<ConfigValue> ParseConfig(std::string_view text, const std::string& file);
 
-// Collects what is wrong. The first in the file is reported; that something is missing only if nothing else is wrong, as
-// a misspelt key is both.
+// Collects what is wrong. The first in the file is reported; that something is missing only if nothing else
+// is wrong, as a misspelt key is both.
 class ConfigErrors {
  public:
   explicit ConfigErrors(std::string file) : file_(std::move(file)) {}
   void Add(int line, int column, std::string message);
-  void Add(const ConfigValue& value, std::string message) { Add(value.line, value.column, std::move(message)); }
+  void Add(const ConfigValue& value, std::string message) {
+    Add(value.line, value.column, std::move(message));
+  }
   void AddMissing(const ConfigValue& table, std::string message);
   // An error that already says where it is.
   void Add(int line, int column, const Error& error);
@@ -56,8 +58,8 @@ class ConfigErrors {
   std::vector<Entry> entries_;
 };
 
-// Reads the keys of one table. A wrong value is reported and the fallback returned, so that reading goes on; Finish
-// reports the keys nobody asked for. The errors and the value must outlive the reader.
+// Reads the keys of one table. A wrong value is reported and the fallback returned, so that reading goes on;
+// Finish reports the keys nobody asked for. The errors and the value must outlive the reader.
 class ConfigTable {
  public:
   // `name` is how messages call the table: "[world.hand]".
@@ -72,12 +74,15 @@ class ConfigTable {
   std::string String(std::string_view key, std::string fallback);
   std::string RequiredString(std::string_view key);  // not empty
   double Number(std::string_view key, double fallback, double smallest, double largest);
-  std::int64_t Integer(std::string_view key, std::int64_t fallback, std::int64_t smallest, std::int64_t largest);
+  std::int64_t Integer(std::string_view key, std::int64_t fallback, std::int64_t smallest,
+                       std::int64_t largest);
   std::vector<std::string> Strings(std::string_view key);
   std::vector<double> Numbers(std::string_view key, double smallest, double largest);
-  std::array<double, 2> Pair(std::string_view key, std::array<double, 2> fallback, double smallest, double largest);
+  std::array<double, 2> Pair(std::string_view key, std::array<double, 2> fallback, double smallest,
+                             double largest);
   // Index of the word among the choices, the fallback if the key is not there, nothing if it is none of them.
-  std::optional<std::size_t> Choice(std::string_view key, const std::vector<std::string>& choices, std::size_t fallback);
+  std::optional<std::size_t> Choice(std::string_view key, const std::vector<std::string>& choices,
+                                    std::size_t fallback);
   // A table that may be missing, and the tables of a list ([[name]]).
   std::optional<ConfigTable> Table(std::string_view key);
   std::vector<ConfigTable> Tables(std::string_view key);
@@ -89,7 +94,8 @@ class ConfigTable {
 
  private:
   const ConfigValue* Find(std::string_view key) const;
-  std::optional<double> NumberOf(const ConfigValue& value, std::string_view key, double smallest, double largest);
+  std::optional<double> NumberOf(const ConfigValue& value, std::string_view key, double smallest,
+                                 double largest);
 
   const ConfigValue* table_;
   std::string name_;

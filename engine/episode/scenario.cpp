@@ -41,7 +41,8 @@ Result<std::string> ReadTextFile(const std::string& path, std::string_view what)
   if (text.size() > kMaxFileBytes) {
     return Error{Printable(path) + ": expected " + std::string(what) + " of at most 16 MiB, found more"};
   }
-  if (!stream.eof()) return Error{Printable(path) + ": expected " + std::string(what) + ", found a file that cannot be read"};
+  if (!stream.eof())
+    return Error{Printable(path) + ": expected " + std::string(what) + ", found a file that cannot be read"};
   return text;
 }
 
@@ -49,7 +50,8 @@ Result<std::string> ReadTextFile(const std::string& path, std::string_view what)
 class ScenarioReader {
  public:
   // `file` is how messages call the scenario.
-  ScenarioReader(std::string file, ModelSource source) : errors_(std::move(file)), source_(std::move(source)) {}
+  ScenarioReader(std::string file, ModelSource source)
+      : errors_(std::move(file)), source_(std::move(source)) {}
 
   // Gives the seed's name for messages and its text.
   using SeedText = std::pair<std::string, std::string>;
@@ -60,8 +62,8 @@ class ScenarioReader {
     const Result<ConfigValue> config = ParseConfig(text, errors_.file());
     if (!config) return config.error();
     ConfigTable root(*config, "the scenario", &errors_);
-    root.Know({"title", "story", "sampling_period_ms", "random_seed", "max_frames", "seed", "world", "reasoner", "recording",
-               "teacher", "drives"});
+    root.Know({"title", "story", "sampling_period_ms", "random_seed", "max_frames", "seed", "world",
+               "reasoner", "recording", "teacher", "drives"});
     root.Finish();
     ReadHead(root);
     if (Status status = ReadSeed(root, open_seed); !status) return status.error();
@@ -83,8 +85,8 @@ class ScenarioReader {
     scenario_.title = root.RequiredString("title");
     scenario_.story = root.String("story", "");
     scenario_.sampling_period = Milliseconds(root.Integer("sampling_period_ms", 100, 1, 3'600'000));
-    scenario_.random_seed =
-        static_cast<std::uint64_t>(root.Integer("random_seed", 0, 0, std::numeric_limits<std::int64_t>::max()));
+    scenario_.random_seed = static_cast<std::uint64_t>(
+        root.Integer("random_seed", 0, 0, std::numeric_limits<std::int64_t>::max()));
   }
 
   template <class OpenSeed>
@@ -125,12 +127,15 @@ class ScenarioReader {
     const auto milliseconds = [&](std::string_view key, Duration fallback) {
       return Milliseconds(table.Integer(key, fallback.us / 1000, 0, scenario_.sampling_period.us / 1000));
     };
-    p.analogy_mode = table.Choice("analogy_mode", {"paper", "openaera"}, 0) == 1u ? AnalogyMode::kOpenaera : AnalogyMode::kPaper;
+    p.analogy_mode = table.Choice("analogy_mode", {"paper", "openaera"}, 0) == 1u ? AnalogyMode::kOpenaera
+                                                                                  : AnalogyMode::kPaper;
     if (p.analogy_mode == AnalogyMode::kOpenaera) p.analogy_min_matched = 3;
-    p.analogy_min_matched = static_cast<int>(table.Integer("analogy_min_matched", p.analogy_min_matched, 1, 1000));
+    p.analogy_min_matched =
+        static_cast<int>(table.Integer("analogy_min_matched", p.analogy_min_matched, 1, 1000));
     p.analogy_min_psi = table.Number("analogy_min_psi", p.analogy_min_psi, 0, 1);
     p.mdl_inertia_sr_thr = table.Number("mdl_inertia_sr_thr", p.mdl_inertia_sr_thr, 0, 1);
-    p.mdl_inertia_cnt_thr = static_cast<int>(table.Integer("mdl_inertia_cnt_thr", p.mdl_inertia_cnt_thr, 1, 1'000'000));
+    p.mdl_inertia_cnt_thr =
+        static_cast<int>(table.Integer("mdl_inertia_cnt_thr", p.mdl_inertia_cnt_thr, 1, 1'000'000));
     p.primary_act_thr = table.Number("primary_act_thr", p.primary_act_thr, 0, 1);
     p.secondary_act_thr = table.Number("secondary_act_thr", p.secondary_act_thr, 0, 1);
     p.tpx_time_horizon_frames =
@@ -143,8 +148,10 @@ class ScenarioReader {
     p.commit_offset = milliseconds("commit_offset_ms", p.commit_offset);
     if (p.goal_offset > p.commit_offset || p.commit_offset >= scenario_.sampling_period ||
         p.command_offset >= scenario_.sampling_period) {
-      table.Fail(table.value(), "expected goal_offset_ms <= commit_offset_ms, and commit_offset_ms and command_offset_ms "
-                                "below the sampling period of " + std::to_string(scenario_.sampling_period.us / 1000) + " ms");
+      table.Fail(table.value(),
+                 "expected goal_offset_ms <= commit_offset_ms, and commit_offset_ms and command_offset_ms "
+                 "below the sampling period of " +
+                     std::to_string(scenario_.sampling_period.us / 1000) + " ms");
     }
     table.Finish();
   }
@@ -161,7 +168,8 @@ class ScenarioReader {
     read.frame = table.Integer("frame", 0, 0, kMaxFrames);
     if (!scenario_.teacher.empty() && read.frame < scenario_.teacher.back().frame && table.Has("frame")) {
       table.Fail(*table.Get("frame"), "expected the teacher's commands by rising frame, found frame " +
-                                          std::to_string(read.frame) + " after " + std::to_string(scenario_.teacher.back().frame));
+                                          std::to_string(read.frame) + " after " +
+                                          std::to_string(scenario_.teacher.back().frame));
     }
     const std::string command = table.RequiredString("command");
     read.to = table.String("to", "");
@@ -191,8 +199,9 @@ class ScenarioReader {
     }
     const std::optional<CommandKind> kind = KindOfCommand(where, command[0].name());
     if (kind && text.front() != '(' && (*kind == CommandKind::kMove) != has_target) {
-      table.Fail(where, has_target ? "expected a move, the only command with 'to', found '" + text + "'"
-                                   : "expected 'to', the entity to move to, beside '" + text + "', found none");
+      table.Fail(where, has_target
+                            ? "expected a move, the only command with 'to', found '" + text + "'"
+                            : "expected 'to', the entity to move to, beside '" + text + "', found none");
     }
     return command;
   }
@@ -206,7 +215,8 @@ class ScenarioReader {
             known.push_back(command.name);
           }
           const std::string closest = ClosestWord(name, known);
-          errors_.Add(where, "expected a command of the world (" + Join(known, ", ") + "), found '" + Printable(name) + "'" +
+          errors_.Add(where, "expected a command of the world (" + Join(known, ", ") + "), found '" +
+                                 Printable(name) + "'" +
                                  (closest.empty() ? "" : "; did you mean '" + closest + "'?"));
           return std::nullopt;
         },
@@ -221,15 +231,15 @@ class ScenarioReader {
         },
         scenario_.world);
     if (!known && FindSymbol(scenario_.seed, entity)) {
-      errors_.Add(where, "expected an object of the world, found '" + Printable(entity) + "', which is not one");
+      errors_.Add(where,
+                  "expected an object of the world, found '" + Printable(entity) + "', which is not one");
     }
   }
 
   // Nil after an error.
   Term ReadPayloadAt(const ConfigValue& where, const std::string& text) {
-    const Result<Term> payload =
-        ReadPayload(text, {errors_.file(), where.line, where.column + 1},
-                    {scenario_.sampling_period, scenario_.seed.symbols, false});
+    const Result<Term> payload = ReadPayload(text, {errors_.file(), where.line, where.column + 1},
+                                             {scenario_.sampling_period, scenario_.seed.symbols, false});
     if (payload) return *payload;
     errors_.Add(where.line, where.column, payload.error());
     return {};
@@ -242,8 +252,11 @@ class ScenarioReader {
     const std::string goal = table.String("goal", "");
     drive.model_label = table.String("model", "");
     if (goal.empty() == drive.model_label.empty()) {
-      table.Fail(table.value(), "expected either 'goal', such as \"(mk.val h holding [])\", or 'model', the label of a drive "
-                                "model of the seed, in [[drives]], found " + std::string(goal.empty() ? "neither" : "both"));
+      table.Fail(
+          table.value(),
+          "expected either 'goal', such as \"(mk.val h holding [])\", or 'model', the label of a drive "
+          "model of the seed, in [[drives]], found " +
+              std::string(goal.empty() ? "neither" : "both"));
     } else if (!goal.empty()) {
       drive.goal = ReadPayloadAt(*table.Get("goal"), goal);
       if (!drive.goal.is(TermKind::kNil) && !IsValue(drive.goal)) {
@@ -270,8 +283,10 @@ class ScenarioReader {
     }
     const FactPattern& wanted = model->model.lhs;
     if (wanted.positive && IsValue(wanted.payload) && wanted.payload.ground()) return wanted.payload;
-    errors_.Add(where, "expected a drive model whose left side is a (fact (mk.val ...) ...) without variables, found '" +
-                           Printable(label) + "', which has another");
+    errors_.Add(
+        where,
+        "expected a drive model whose left side is a (fact (mk.val ...) ...) without variables, found '" +
+            Printable(label) + "', which has another");
     return {};
   }
 
@@ -285,10 +300,12 @@ class ScenarioReader {
   // They are reported by the world now.
   void MovePropertiesToWorld() {
     std::vector<std::string> entities;
-    std::visit([&](const auto& world) {
-      entities.push_back(HandOf(scenario_).name());
-      for (const auto& object : world.objects) entities.push_back(object.entity);
-    }, scenario_.world);
+    std::visit(
+        [&](const auto& world) {
+          entities.push_back(HandOf(scenario_).name());
+          for (const auto& object : world.objects) entities.push_back(object.entity);
+        },
+        scenario_.world);
     std::erase_if(scenario_.seed.facts, [&](const SeedFact& fact) {
       return IsLastingProperty(fact.fact) &&
              std::find(entities.begin(), entities.end(), fact.fact.payload[0].name()) != entities.end();
@@ -333,7 +350,8 @@ Result<Scenario> LoadScenarioFromFiles(const std::map<std::string, std::string>&
   ScenarioReader reader(std::string(kScenarioFile), {"", &files});
   return reader.Read(text->second, [&](const std::string&) -> Result<ScenarioReader::SeedText> {
     const auto seed = files.find(std::string(kSeedFile));
-    if (seed == files.end()) return Error{"expected the file " + std::string(kSeedFile) + " in the episode, found none"};
+    if (seed == files.end())
+      return Error{"expected the file " + std::string(kSeedFile) + " in the episode, found none"};
     return ScenarioReader::SeedText{std::string(kSeedFile), seed->second};
   });
 }
@@ -349,7 +367,8 @@ std::string_view WorldKind(const Scenario& scenario) {
 }
 
 Term HandOf(const Scenario& scenario) {
-  if (const auto* mujoco = std::get_if<MujocoWorldConfig>(&scenario.world)) return Term::Entity(mujoco->hand.entity);
+  if (const auto* mujoco = std::get_if<MujocoWorldConfig>(&scenario.world))
+    return Term::Entity(mujoco->hand.entity);
   return Term::Entity(std::get<ScriptedWorldConfig>(scenario.world).hand_entity);
 }
 
@@ -360,19 +379,21 @@ Term PositionAttributeOf(const Scenario& scenario) {
   return Term::Ontology(std::get<ScriptedWorldConfig>(scenario.world).position_attribute);
 }
 
-Result<Term> CompleteCommand(const TeacherCommand& command, const Scenario& scenario, std::span<const Fact> observed) {
+Result<Term> CompleteCommand(const TeacherCommand& command, const Scenario& scenario,
+                             std::span<const Fact> observed) {
   if (command.to.empty()) return command.command;
   const Term attribute = PositionAttributeOf(scenario);
   const Term* target = PositionIn(observed, Term::Entity(command.to), attribute);
   const Term* hand = PositionIn(observed, HandOf(scenario), attribute);
   if (!target || !hand) {
     return Error{"expected the " + attribute.name() + " of " + (hand ? command.to : HandOf(scenario).name()) +
-                 " among the facts of frame " + std::to_string(command.frame) + ", which the teacher needs, found none"};
+                 " among the facts of frame " + std::to_string(command.frame) +
+                 ", which the teacher needs, found none"};
   }
   const auto way = Evaluate(Term::Struct("-", {*target, *hand}), Bindings());
   if (!way) {
-    return Error{"expected positions that can be subtracted, found " + ToText(*target) + " of " + command.to + " and " +
-                 ToText(*hand) + " of the hand"};
+    return Error{"expected positions that can be subtracted, found " + ToText(*target) + " of " + command.to +
+                 " and " + ToText(*hand) + " of the hand"};
   }
   std::vector<Term> arguments(command.command[1].items().begin(), command.command[1].items().end());
   arguments.push_back(*way);

@@ -11,8 +11,8 @@
 namespace aerascope {
 namespace {
 
-constexpr double kFar = 1e6;       // lengths and positions beyond this are mistakes
-constexpr double kTurns = 1000;    // so are angles
+constexpr double kFar = 1e6;     // lengths and positions beyond this are mistakes
+constexpr double kTurns = 1000;  // so are angles
 constexpr std::string_view kSceneFile = "world/scene.xml";
 
 void CheckSymbol(const SeedKnowledge& seed, const ConfigValue& where, const std::string& name, TermKind kind,
@@ -24,7 +24,8 @@ void CheckSymbol(const SeedKnowledge& seed, const ConfigValue& where, const std:
     if (candidate.is(kind)) known.push_back(candidate.name());
   }
   const std::string closest = symbol ? "" : ClosestWord(name, known);
-  errors->Add(where, std::string("expected ") + (kind == TermKind::kEntity ? "an entity" : "an ontology symbol") +
+  errors->Add(where, std::string("expected ") +
+                         (kind == TermKind::kEntity ? "an entity" : "an ontology symbol") +
                          " of the seed, found '" + Printable(name) + "', which " +
                          (symbol ? "is declared, but not as that" : "the seed does not declare") +
                          (closest.empty() ? "" : "; did you mean '" + closest + "'?"));
@@ -36,8 +37,8 @@ std::string EntityKey(ConfigTable& table, const SeedKnowledge& seed, ConfigError
   return name;
 }
 
-std::string OntologyKey(ConfigTable& table, std::string_view key, std::string fallback, const SeedKnowledge& seed,
-                        ConfigErrors* errors) {
+std::string OntologyKey(ConfigTable& table, std::string_view key, std::string fallback,
+                        const SeedKnowledge& seed, ConfigErrors* errors) {
   std::string name = table.String(key, std::move(fallback));
   const ConfigValue* value = table.Get(key);
   CheckOntology(seed, value ? *value : table.value(), name, errors);
@@ -67,8 +68,8 @@ std::vector<EntityProperty> Properties(ConfigTable& table, std::string_view key,
 }
 
 // What the seed says for ever about an entity, then what the table adds.
-std::vector<EntityProperty> AllProperties(ConfigTable& table, const std::string& entity, const SeedKnowledge& seed,
-                                          ConfigErrors* errors) {
+std::vector<EntityProperty> AllProperties(ConfigTable& table, const std::string& entity,
+                                          const SeedKnowledge& seed, ConfigErrors* errors) {
   std::vector<EntityProperty> properties;
   for (const SeedFact& fact : seed.facts) {
     if (IsLastingProperty(fact.fact) && fact.fact.payload[0].name() == entity) {
@@ -79,10 +80,12 @@ std::vector<EntityProperty> AllProperties(ConfigTable& table, const std::string&
     const auto same = std::find_if(properties.begin(), properties.end(), [&](const EntityProperty& known) {
       return known.attribute == property.attribute;
     });
-    if (same == properties.end()) properties.push_back(std::move(property));
+    if (same == properties.end())
+      properties.push_back(std::move(property));
     else if (same->value != property.value) {
-      errors->Add(*table.Get("properties"), "expected " + property.attribute + " = \"" + same->value + "\" of " + entity +
-                                                ", as the seed says, found \"" + property.value + "\"");
+      errors->Add(*table.Get("properties"), "expected " + property.attribute + " = \"" + same->value +
+                                                "\" of " + entity + ", as the seed says, found \"" +
+                                                property.value + "\"");
     }
   }
   return properties;
@@ -98,15 +101,17 @@ CommandKind KindKey(ConfigTable& table) {
 void CheckDistinct(const std::vector<std::string>& names, const ConfigValue& where, std::string_view what,
                    ConfigErrors* errors) {
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!names[i].empty() && std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
-                                 names.begin() + static_cast<std::ptrdiff_t>(i)) {
-      errors->Add(where, "expected each " + std::string(what) + " once in the world, found '" + names[i] + "' twice");
+    if (!names[i].empty() && std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i),
+                                       names[i]) != names.begin() + static_cast<std::ptrdiff_t>(i)) {
+      errors->Add(
+          where, "expected each " + std::string(what) + " once in the world, found '" + names[i] + "' twice");
     }
   }
 }
 
 template <class Config>
-void CheckNames(const Config& config, const std::string& hand, const ConfigValue& world, ConfigErrors* errors) {
+void CheckNames(const Config& config, const std::string& hand, const ConfigValue& world,
+                ConfigErrors* errors) {
   std::vector<std::string> entities{hand};
   for (const auto& object : config.objects) entities.push_back(object.entity);
   CheckDistinct(entities, world, "entity", errors);
@@ -133,7 +138,8 @@ HandConfig ReadHand(ConfigTable hand, const SeedKnowledge& seed, ConfigErrors* e
     FingerActuator finger;
     finger.actuator = actuator.RequiredString("actuator");
     finger.control_per_gap = actuator.Number("control_per_gap", finger.control_per_gap, -kFar, kFar);
-    finger.control_at_zero_gap = actuator.Number("control_at_zero_gap", finger.control_at_zero_gap, -kFar, kFar);
+    finger.control_at_zero_gap =
+        actuator.Number("control_at_zero_gap", finger.control_at_zero_gap, -kFar, kFar);
     actuator.Finish();
     config.finger_actuators.push_back(std::move(finger));
   }
@@ -152,8 +158,10 @@ PoseNoise ReadNoise(ConfigTable noise) {
 
 SensorConfig ReadSensors(ConfigTable sensors, const SeedKnowledge& seed, ConfigErrors* errors) {
   SensorConfig config;
-  config.position_attribute = OntologyKey(sensors, "position_attribute", config.position_attribute, seed, errors);
-  config.holding_attribute = OntologyKey(sensors, "holding_attribute", config.holding_attribute, seed, errors);
+  config.position_attribute =
+      OntologyKey(sensors, "position_attribute", config.position_attribute, seed, errors);
+  config.holding_attribute =
+      OntologyKey(sensors, "holding_attribute", config.holding_attribute, seed, errors);
   config.resolution_m = sensors.Number("resolution_m", config.resolution_m, 1e-6, kFar);
   config.object_deadband_m = sensors.Number("object_deadband_m", config.object_deadband_m, 0, kFar);
   sensors.Finish();
@@ -167,18 +175,22 @@ MotionConfig ReadMotion(ConfigTable motion) {
   config.grasp_height_m = motion.Number("grasp_height_m", config.grasp_height_m, 0, kFar);
   config.workspace_min_m = motion.Pair("workspace_min_m", config.workspace_min_m, -kFar, kFar);
   config.workspace_max_m = motion.Pair("workspace_max_m", config.workspace_max_m, -kFar, kFar);
-  config.max_tool_speed_m_per_s = motion.Number("max_tool_speed_m_per_s", config.max_tool_speed_m_per_s, 1e-3, kFar);
+  config.max_tool_speed_m_per_s =
+      motion.Number("max_tool_speed_m_per_s", config.max_tool_speed_m_per_s, 1e-3, kFar);
   config.contact_stop_m = motion.Number("contact_stop_m", config.contact_stop_m, 0, kFar);
   config.settle_s = motion.Number("settle_s", config.settle_s, 0, 60);
-  if (config.workspace_min_m[0] > config.workspace_max_m[0] || config.workspace_min_m[1] > config.workspace_max_m[1]) {
-    motion.Fail(motion.value(), "expected workspace_min_m below workspace_max_m in x and in y, found them the other way");
+  if (config.workspace_min_m[0] > config.workspace_max_m[0] ||
+      config.workspace_min_m[1] > config.workspace_max_m[1]) {
+    motion.Fail(motion.value(),
+                "expected workspace_min_m below workspace_max_m in x and in y, found them the other way");
   }
   motion.Finish();
   return config;
 }
 
 // Fills in the model: from what was kept, or the path, which must lead to a file.
-void FindModel(ConfigTable& world, const ModelSource& source, ConfigErrors* errors, MujocoWorldConfig& config) {
+void FindModel(ConfigTable& world, const ModelSource& source, ConfigErrors* errors,
+               MujocoWorldConfig& config) {
   const std::string model = world.RequiredString("model");
   if (model.empty()) return;
   if (!source.kept) {
@@ -192,28 +204,32 @@ void FindModel(ConfigTable& world, const ModelSource& source, ConfigErrors* erro
   }
   const auto scene = source.kept->find(std::string(kSceneFile));
   if (scene == source.kept->end()) {
-    errors->Add(*world.Get("model"), "expected the file " + std::string(kSceneFile) + " in the episode, found none");
+    errors->Add(*world.Get("model"),
+                "expected the file " + std::string(kSceneFile) + " in the episode, found none");
     return;
   }
   config.model_text = scene->second;
   for (const auto& [name, bytes] : *source.kept) {
-    if (name.starts_with("world/") && name != kSceneFile) config.model_assets.push_back({name.substr(6), bytes});
+    if (name.starts_with("world/") && name != kSceneFile)
+      config.model_assets.push_back({name.substr(6), bytes});
   }
 }
 
 }  // namespace
 
 bool IsLastingProperty(const Fact& fact) {
-  return fact.positive && fact.confidence == 1 && fact.interval.after <= Time{0} && fact.interval.before >= kForever &&
-         IsValue(fact.payload) && fact.payload[0].is(TermKind::kEntity) && fact.payload[1].is(TermKind::kOntology) &&
-         fact.payload[2].is(TermKind::kOntology);
+  return fact.positive && fact.confidence == 1 && fact.interval.after <= Time{0} &&
+         fact.interval.before >= kForever && IsValue(fact.payload) && fact.payload[0].is(TermKind::kEntity) &&
+         fact.payload[1].is(TermKind::kOntology) && fact.payload[2].is(TermKind::kOntology);
 }
 
-void CheckEntity(const SeedKnowledge& seed, const ConfigValue& where, const std::string& name, ConfigErrors* errors) {
+void CheckEntity(const SeedKnowledge& seed, const ConfigValue& where, const std::string& name,
+                 ConfigErrors* errors) {
   CheckSymbol(seed, where, name, TermKind::kEntity, errors);
 }
 
-void CheckOntology(const SeedKnowledge& seed, const ConfigValue& where, const std::string& name, ConfigErrors* errors) {
+void CheckOntology(const SeedKnowledge& seed, const ConfigValue& where, const std::string& name,
+                   ConfigErrors* errors) {
   CheckSymbol(seed, where, name, TermKind::kOntology, errors);
 }
 
@@ -247,7 +263,8 @@ ScriptedWorldConfig ReadScriptedWorld(ConfigTable world, const SeedKnowledge& se
   }
   config.lowest_position = world.Number("lowest_position", -kFar, -kFar, kFar);
   config.highest_position = world.Number("highest_position", kFar, -kFar, kFar);
-  config.position_attribute = OntologyKey(world, "position_attribute", config.position_attribute, seed, errors);
+  config.position_attribute =
+      OntologyKey(world, "position_attribute", config.position_attribute, seed, errors);
   config.holding_attribute = OntologyKey(world, "holding_attribute", config.holding_attribute, seed, errors);
   CheckNames(config, config.hand_entity, world.value(), errors);
   world.Finish();

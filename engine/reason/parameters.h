@@ -1,8 +1,8 @@
 // The numbers a Reasoner runs by: thresholds, limits, and the named instants inside a frame.
 //
-// Names follow OpenAERA where it has the parameter, so that a value can be carried over. The defaults are OpenAERA's;
-// what OpenAERA lacks says so. A scenario sets them in its [reasoner] table under these names (durations there in
-// milliseconds, with `_ms` at the end).
+// Names follow OpenAERA where it has the parameter, so that a value can be carried over. The defaults are
+// OpenAERA's; what OpenAERA lacks says so. A scenario sets them in its [reasoner] table under these names
+// (durations there in milliseconds, with `_ms` at the end).
 #pragma once
 
 #include <string_view>
@@ -11,9 +11,9 @@
 
 namespace aerascope {
 
-// How goal-driven analogy judges a partial match. kPaper: confidence = familiarity * success rate of the original
-// requirement, over all bindings, without duplicates. kOpenaera: what OpenAERA's analogy branch does: constant
-// confidence 0.6, at least three matched components, the first binding only.
+// How goal-driven analogy judges a partial match. kPaper: confidence = familiarity * success rate of the
+// original requirement, over all bindings, without duplicates. kOpenaera: what OpenAERA's analogy branch
+// does: constant confidence 0.6, at least three matched components, the first binding only.
 enum class AnalogyMode { kPaper, kOpenaera };
 
 constexpr std::string_view ToText(AnalogyMode mode) {
@@ -21,16 +21,17 @@ constexpr std::string_view ToText(AnalogyMode mode) {
 }
 
 struct ReasonerParameters {
-  // Analogy (not parameters in OpenAERA, where three components are built in and familiarity is not computed).
+  // Analogy (not parameters in OpenAERA, where three components are built in and familiarity is not
+  // computed).
   AnalogyMode analogy_mode = AnalogyMode::kPaper;
-  int analogy_min_matched = 2;      // components that must match, at least; openaera mode: 3
-  double analogy_min_psi = 0.5;     // familiarity must be above this, strictly
+  int analogy_min_matched = 2;   // components that must match, at least; openaera mode: 3
+  double analogy_min_psi = 0.5;  // familiarity must be above this, strictly
 
   // Rating of models (OpenAERA).
   double mdl_inertia_sr_thr = 0.9;  // success rate from which a model can become strong
   int mdl_inertia_cnt_thr = 6;      // number of tries from which a model can become strong
-  double primary_act_thr = 0.4;     // a model at or below this success rate is deleted, or phased out if strong
-  double secondary_act_thr = 0.3;   // a phased-out model above this is watched for recovery
+  double primary_act_thr = 0.4;  // a model at or below this success rate is deleted, or phased out if strong
+  double secondary_act_thr = 0.3;  // a phased-out model above this is watched for recovery
 
   // Induction (OpenAERA: 300 ms in frames of 100 ms).
   int tpx_time_horizon_frames = 3;  // how far back the causes of a failed prediction are looked for

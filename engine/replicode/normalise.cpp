@@ -66,11 +66,13 @@ class Renumbering {
     std::vector<std::string> renumbered;
     for (const int old : order_) {
       const auto i = static_cast<std::size_t>(old);
-      renumbered.push_back(i < names.size() && !names[i].empty() ? names[i] : "v" + std::to_string(renumbered.size()));
+      renumbered.push_back(i < names.size() && !names[i].empty() ? names[i]
+                                                                 : "v" + std::to_string(renumbered.size()));
     }
     return renumbered;
   }
-  // For the argument list `before` in old numbers and `after` in new ones: which old place each new place takes.
+  // For the argument list `before` in old numbers and `after` in new ones: which old place each new place
+  // takes.
   std::vector<std::size_t> Places(const std::vector<int>& before, const std::vector<int>& after) const {
     std::vector<std::size_t> places;
     for (const int variable : after) {
@@ -96,7 +98,8 @@ class Normaliser {
   explicit Normaliser(const SeedKnowledge& seed) : seed_(seed) {
     for (std::size_t i = 0; i < seed.composite_states.size(); ++i) items_.push_back({true, i});
     for (std::size_t i = 0; i < seed.models.size(); ++i) items_.push_back({false, i});
-    std::stable_sort(items_.begin(), items_.end(), [&](const Item& a, const Item& b) { return IdOf(a) < IdOf(b); });
+    std::stable_sort(items_.begin(), items_.end(),
+                     [&](const Item& a, const Item& b) { return IdOf(a) < IdOf(b); });
     for (const Item& item : items_) by_id_.try_emplace({item.is_state, IdOf(item)}, item);
   }
 
@@ -128,7 +131,8 @@ class Normaliser {
   };
 
   std::int64_t IdOf(const Item& item) const {
-    return item.is_state ? seed_.composite_states[item.index].state.id.value : seed_.models[item.index].model.id.value;
+    return item.is_state ? seed_.composite_states[item.index].state.id.value
+                         : seed_.models[item.index].model.id.value;
   }
   const std::string& LabelOf(const Item& item) const {
     return item.is_state ? seed_.composite_states[item.index].label : seed_.models[item.index].label;
@@ -148,8 +152,10 @@ class Normaliser {
       });
       return term;
     };
-    if (item.is_state) Mapped(seed_.composite_states[item.index].state, collect);
-    else Mapped(seed_.models[item.index].model, collect);
+    if (item.is_state)
+      Mapped(seed_.composite_states[item.index].state, collect);
+    else
+      Mapped(seed_.models[item.index].model, collect);
     return keys;
   }
 
@@ -171,7 +177,8 @@ class Normaliser {
         const auto it = by_id_.find(reference);
         if (it == by_id_.end()) return Error{Missing(reference, LabelOf(item))};
         if (open.contains(reference)) {
-          return Error{"expected knowledge without circles, found that " + LabelOf(it->second) + " refers to itself"};
+          return Error{"expected knowledge without circles, found that " + LabelOf(it->second) +
+                       " refers to itself"};
         }
         waiting.push_back(it->second);
         ready = false;
@@ -185,8 +192,9 @@ class Normaliser {
   }
 
   static std::string Missing(const Key& reference, const std::string& from) {
-    return "expected " + std::string(reference.first ? "composite state " : "model ") + std::to_string(reference.second) +
-           ", to which " + from + " refers, found nothing with this number";
+    return "expected " + std::string(reference.first ? "composite state " : "model ") +
+           std::to_string(reference.second) + ", to which " + from +
+           " refers, found nothing with this number";
   }
 
   Status CheckReferences(const Term& term, const std::string& from) const {
@@ -212,7 +220,8 @@ class Normaliser {
       const auto key = KeyOf(part[0]);
       if (!key) return std::nullopt;
       const Placed& target = placed_.at(*key);
-      return Term::Struct(part.name(), {Reference(*key, target.id), part[1], Permuted(part[2], target.places)});
+      return Term::Struct(part.name(),
+                          {Reference(*key, target.id), part[1], Permuted(part[2], target.places)});
     });
   }
 
@@ -252,7 +261,8 @@ class Normaliser {
 
 template <class List>
 auto FindLabel(const List& list, std::string_view label) {
-  const auto it = std::find_if(list.begin(), list.end(), [&](const auto& item) { return item.label == label; });
+  const auto it =
+      std::find_if(list.begin(), list.end(), [&](const auto& item) { return item.label == label; });
   return it == list.end() ? nullptr : &*it;
 }
 
@@ -265,7 +275,9 @@ std::set<ModelId> AliveModels(const KnowledgeBase& knowledge) {
   const auto speaks_about_dead = [&](ModelId id) {
     bool found = false;
     const MapTerm look = [&](const Term& term) {
-      ForEachTerm(term, [&](const Term& part) { found |= part.is(TermKind::kModel) && !alive.contains(part.model()); });
+      ForEachTerm(term, [&](const Term& part) {
+        found |= part.is(TermKind::kModel) && !alive.contains(part.model());
+      });
       return term;
     };
     Mapped(knowledge.Find(id)->model, look);
@@ -278,12 +290,15 @@ std::set<ModelId> AliveModels(const KnowledgeBase& knowledge) {
 
 }  // namespace
 
-Result<SeedKnowledge> Normalised(const SeedKnowledge& seed) { return Normaliser(seed).Run(); }
+Result<SeedKnowledge> Normalised(const SeedKnowledge& seed) {
+  return Normaliser(seed).Run();
+}
 
 SeedKnowledge ShiftIds(SeedKnowledge seed, std::int64_t offset) {
   const MapTerm shift = [&](const Term& term) {
     return Rewritten(term, [&](const Term& part) -> std::optional<Term> {
-      if (part.is(TermKind::kCompositeState)) return Term::Reference(CompositeStateId{part.composite_state().value + offset});
+      if (part.is(TermKind::kCompositeState))
+        return Term::Reference(CompositeStateId{part.composite_state().value + offset});
       if (part.is(TermKind::kModel)) return Term::Reference(ModelId{part.model().value + offset});
       return std::nullopt;
     });
@@ -301,7 +316,8 @@ SeedKnowledge ShiftIds(SeedKnowledge seed, std::int64_t offset) {
 }
 
 const Term* FindSymbol(const SeedKnowledge& seed, std::string_view name) {
-  const auto it = std::find_if(seed.symbols.begin(), seed.symbols.end(), [&](const Term& s) { return s.name() == name; });
+  const auto it =
+      std::find_if(seed.symbols.begin(), seed.symbols.end(), [&](const Term& s) { return s.name() == name; });
   return it == seed.symbols.end() ? nullptr : &*it;
 }
 
@@ -309,7 +325,9 @@ const SeedCompositeState* FindState(const SeedKnowledge& seed, std::string_view 
   return FindLabel(seed.composite_states, label);
 }
 
-const SeedModel* FindModel(const SeedKnowledge& seed, std::string_view label) { return FindLabel(seed.models, label); }
+const SeedModel* FindModel(const SeedKnowledge& seed, std::string_view label) {
+  return FindLabel(seed.models, label);
+}
 
 SeedKnowledge SeedFrom(const KnowledgeBase& knowledge) {
   SeedKnowledge seed;

@@ -49,12 +49,18 @@ struct Declared {
 
 std::string_view Article(Declared::Kind kind) {
   switch (kind) {
-    case Declared::Kind::kSymbol: return "a symbol";
-    case Declared::Kind::kPayload: return "a payload";
-    case Declared::Kind::kFact: return "a fact";
-    case Declared::Kind::kCompositeState: return "a composite state";
-    case Declared::Kind::kModel: return "a model";
-    case Declared::Kind::kOther: return "something that was passed over";
+    case Declared::Kind::kSymbol:
+      return "a symbol";
+    case Declared::Kind::kPayload:
+      return "a payload";
+    case Declared::Kind::kFact:
+      return "a fact";
+    case Declared::Kind::kCompositeState:
+      return "a composite state";
+    case Declared::Kind::kModel:
+      return "a model";
+    case Declared::Kind::kOther:
+      return "something that was passed over";
   }
   return {};
 }
@@ -64,8 +70,8 @@ bool IsConstantWord(std::string_view word) {
 }
 
 template <std::size_t n>
-std::optional<std::string> OperatorOf(std::string_view word,
-                                      const std::array<std::pair<std::string_view, std::string_view>, n>& words) {
+std::optional<std::string> OperatorOf(
+    std::string_view word, const std::array<std::pair<std::string_view, std::string_view>, n>& words) {
   for (const auto& [name, opcode] : words) {
     if (word == name || word == opcode) return std::string(name);
   }
@@ -96,7 +102,8 @@ class SeedReader {
       if (!options_.foreign) return status.error();
       seed_.problems.push_back(status.error().message);
       const SyntaxNode& object = (*statement)->object;
-      if (!object.label.empty()) declared_.try_emplace(object.label, Declared{Declared::Kind::kOther, {}, 0, object.line});
+      if (!object.label.empty())
+        declared_.try_emplace(object.label, Declared{Declared::Kind::kOther, {}, 0, object.line});
     }
     return std::move(seed_);
   }
@@ -130,11 +137,13 @@ class SeedReader {
                         Suggestion(node.text, known));
   }
 
-  // ------------------------------------------------------------------------------------------------ fields of groups
+  // ------------------------------------------------------------------------------------------------ fields
+  // of groups
 
-  // The first fields of a group, one for each name; `::` stands for all that are left. At most `tail` more may follow:
-  // numbers, wildcards or truth values without a meaning here.
-  Result<std::vector<const SyntaxNode*>> Fields(const SyntaxNode& group, std::initializer_list<std::string_view> names,
+  // The first fields of a group, one for each name; `::` stands for all that are left. At most `tail` more
+  // may follow: numbers, wildcards or truth values without a meaning here.
+  Result<std::vector<const SyntaxNode*>> Fields(const SyntaxNode& group,
+                                                std::initializer_list<std::string_view> names,
                                                 std::size_t tail) const {
     std::vector<const SyntaxNode*> fields;
     for (const std::string_view name : names) {
@@ -143,8 +152,9 @@ class SeedReader {
         continue;
       }
       if (fields.size() >= group.items.size()) {
-        return At(group, "expected the " + std::string(name) + " in (" + Printable(group.text) + " ...), found only " +
-                             std::to_string(group.items.size()) + (group.items.size() == 1 ? " field" : " fields"));
+        return At(group, "expected the " + std::string(name) + " in (" + Printable(group.text) +
+                             " ...), found only " + std::to_string(group.items.size()) +
+                             (group.items.size() == 1 ? " field" : " fields"));
       }
       fields.push_back(&group.items[fields.size()]);
       if (!fields.back()->label.empty()) {
@@ -154,7 +164,8 @@ class SeedReader {
     }
     for (std::size_t i = fields.size(); i < group.items.size(); ++i) {
       const SyntaxNode& item = group.items[i];
-      const bool meaningless = item.kind == Kind::kNumber || item.kind == Kind::kWildcard || item.kind == Kind::kRest ||
+      const bool meaningless = item.kind == Kind::kNumber || item.kind == Kind::kWildcard ||
+                               item.kind == Kind::kRest ||
                                (item.kind == Kind::kName && (item.text == "true" || item.text == "false"));
       if (i >= names.size() + tail || !meaningless) {
         return At(item, "expected the end of (" + Printable(group.text) + " ...), found " + Described(item));
@@ -165,8 +176,9 @@ class SeedReader {
 
   Result<const SyntaxNode*> ListField(const SyntaxNode& group, std::size_t i, std::string_view what) const {
     if (i >= group.items.size()) {
-      return At(group, "expected the list of " + std::string(what) + " in (" + group.text + " ...), found only " +
-                           std::to_string(group.items.size()) + (group.items.size() == 1 ? " field" : " fields"));
+      return At(group, "expected the list of " + std::string(what) + " in (" + group.text +
+                           " ...), found only " + std::to_string(group.items.size()) +
+                           (group.items.size() == 1 ? " field" : " fields"));
     }
     const SyntaxNode& item = group.items[i];
     if (item.kind != Kind::kList || !item.label.empty()) {
@@ -175,25 +187,34 @@ class SeedReader {
     return &item;
   }
 
-  // ---------------------------------------------------------------------------------------------------------- values
+  // ----------------------------------------------------------------------------------------------------------
+  // values
 
   // A null scope reads values without variables and wildcards.
   Result<Term> Value(const SyntaxNode& node, Scope* scope) {
     switch (node.kind) {
-      case Kind::kName: return Named(node, scope);
-      case Kind::kNumber: return Term::Number(node.number);
-      case Kind::kInstant: return Term::Instant(TimeOf(node.us));
-      case Kind::kDuration: return Term::Span({node.us});
-      case Kind::kString: return Term::String(node.text);
+      case Kind::kName:
+        return Named(node, scope);
+      case Kind::kNumber:
+        return Term::Number(node.number);
+      case Kind::kInstant:
+        return Term::Instant(TimeOf(node.us));
+      case Kind::kDuration:
+        return Term::Span({node.us});
+      case Kind::kString:
+        return Term::String(node.text);
       case Kind::kVariable:
-        if (!scope) return At(node, "expected a value, found the variable '" + node.text + ":', which has none here");
+        if (!scope)
+          return At(node, "expected a value, found the variable '" + node.text + ":', which has none here");
         return Term::Variable(scope->Of(node.text));
       case Kind::kWildcard:
       case Kind::kRest:
         if (!scope) return At(node, "expected a value, found the wildcard " + Described(node));
         return Term::Wildcard();
-      case Kind::kList: return ListValue(node, scope);
-      case Kind::kGroup: return StructValue(node, scope);
+      case Kind::kList:
+        return ListValue(node, scope);
+      case Kind::kGroup:
+        return StructValue(node, scope);
     }
     return At(node, "expected a value");
   }
@@ -201,7 +222,8 @@ class SeedReader {
   Result<Term> Named(const SyntaxNode& node, const Scope* scope) {
     if (node.text == "nil") return Term::Nil();
     if (node.text == "true" || node.text == "false") return Term::Bool(node.text == "true");
-    if (node.text == "forever" || node.text == "GIGASEC" || node.text == "MAX_TIME") return Term::Instant(kForever);
+    if (node.text == "forever" || node.text == "GIGASEC" || node.text == "MAX_TIME")
+      return Term::Instant(kForever);
     if (node.text == "sampling_period") return Term::Span(options_.sampling_period);
     if (scope) {
       if (const auto variable = scope->Find(node.text)) return Term::Variable(*variable);
@@ -218,8 +240,10 @@ class SeedReader {
   Result<Term> ListValue(const SyntaxNode& node, Scope* scope) {
     std::vector<Term> items;
     for (const SyntaxNode& item : node.items) {
-      if (item.kind == Kind::kRest) return At(item, "expected the elements of the list one by one, found '::'");
-      if (!item.label.empty()) return At(item, "expected a value without a label, found '" + item.label + ":'");
+      if (item.kind == Kind::kRest)
+        return At(item, "expected the elements of the list one by one, found '::'");
+      if (!item.label.empty())
+        return At(item, "expected a value without a label, found '" + item.label + ":'");
       Result<Term> value = Value(item, scope);
       if (!value) return value;
       items.push_back(std::move(*value));
@@ -238,7 +262,8 @@ class SeedReader {
       }
       std::vector<Term> items;
       for (const SyntaxNode& item : node.items) {
-        if (!item.label.empty()) return At(item, "expected a value without a label, found '" + item.label + ":'");
+        if (!item.label.empty())
+          return At(item, "expected a value without a label, found '" + item.label + ":'");
         Result<Term> value = head == "ti" ? Instant(item, scope) : Value(item, scope);
         if (!value) return value;
         items.push_back(std::move(*value));
@@ -255,11 +280,13 @@ class SeedReader {
     if (node.kind == Kind::kDuration) return Term::Instant({node.us});
     Result<Term> value = Value(node, scope);
     if (!value) return value;
-    if (value->is(TermKind::kTime) || value->is(TermKind::kVariable) || value->is(TermKind::kWildcard)) return value;
+    if (value->is(TermKind::kTime) || value->is(TermKind::kVariable) || value->is(TermKind::kWildcard))
+      return value;
     return At(node, "expected a time such as 0s:100ms:0us, found " + Described(node));
   }
 
-  // -------------------------------------------------------------------------------------------------------- payloads
+  // --------------------------------------------------------------------------------------------------------
+  // payloads
 
   Result<Term> Payload(const SyntaxNode& node, Scope* scope) {
     if (node.kind == Kind::kName) {
@@ -275,7 +302,8 @@ class SeedReader {
       if (node.text == "cmd") return CommandPayload(node, scope);
       if (node.text == "icst") return IcstPayload(node, scope);
       if (node.text == "imdl") return ImdlPayload(node, scope);
-      return At(node, "expected (mk.val ...), (cmd ...), (icst ...) or (imdl ...), found (" + Printable(node.text) + " ...)" +
+      return At(node, "expected (mk.val ...), (cmd ...), (icst ...) or (imdl ...), found (" +
+                          Printable(node.text) + " ...)" +
                           Suggestion(node.text, {"mk.val", "cmd", "icst", "imdl"}));
     }
     return At(node, "expected something that can be a fact, such as (mk.val ...), found " + Described(node));
@@ -286,13 +314,16 @@ class SeedReader {
     if (!fields) return fields.error();
     const Result<Term> object = Value(*(*fields)[0], scope);
     if (!object) return object;
-    if (!object->is(TermKind::kEntity) && !object->is(TermKind::kVariable) && !object->is(TermKind::kWildcard)) {
+    if (!object->is(TermKind::kEntity) && !object->is(TermKind::kVariable) &&
+        !object->is(TermKind::kWildcard)) {
       return At(*(*fields)[0], "expected an entity as the object, found " + Described(*(*fields)[0]));
     }
     const Result<Term> attribute = Value(*(*fields)[1], scope);
     if (!attribute) return attribute;
-    if (!attribute->is(TermKind::kOntology) && !attribute->is(TermKind::kVariable) && !attribute->is(TermKind::kWildcard)) {
-      return At(*(*fields)[1], "expected an ontology symbol as the attribute, found " + Described(*(*fields)[1]));
+    if (!attribute->is(TermKind::kOntology) && !attribute->is(TermKind::kVariable) &&
+        !attribute->is(TermKind::kWildcard)) {
+      return At(*(*fields)[1],
+                "expected an ontology symbol as the attribute, found " + Described(*(*fields)[1]));
     }
     Result<Term> value = Value(*(*fields)[2], scope);
     if (!value) return value;
@@ -312,7 +343,8 @@ class SeedReader {
       return At(name, "expected an ontology symbol as the name of the command, found " + Described(name));
     }
     if ((*fields)[1]->kind != Kind::kList) {
-      return At(*(*fields)[1], "expected the list of arguments of the command, found " + Described(*(*fields)[1]));
+      return At(*(*fields)[1],
+                "expected the list of arguments of the command, found " + Described(*(*fields)[1]));
     }
     Result<Term> arguments = ListValue(*(*fields)[1], scope);
     if (!arguments) return arguments;
@@ -323,21 +355,24 @@ class SeedReader {
   Result<std::size_t> Reference(const SyntaxNode& node, Declared::Kind kind) const {
     const auto it = declared_.find(node.text);
     if (node.kind == Kind::kName && it != declared_.end() && it->second.kind == kind) return it->second.index;
-    return At(node, "expected the label of " + std::string(Article(kind)) + " declared above, found " + Described(node) +
+    return At(node, "expected the label of " + std::string(Article(kind)) + " declared above, found " +
+                        Described(node) +
                         (node.kind == Kind::kName ? Suggestion(node.text, NamesOf(kind)) : ""));
   }
 
   Result<std::vector<Term>> Arguments(const SyntaxNode& list, std::string_view what, Scope* scope) {
-    if (list.kind != Kind::kList) return At(list, "expected the list of " + std::string(what) + ", found " + Described(list));
+    if (list.kind != Kind::kList)
+      return At(list, "expected the list of " + std::string(what) + ", found " + Described(list));
     const Result<Term> values = ListValue(list, scope);
     if (!values) return values.error();
     return std::vector<Term>(values->items().begin(), values->items().end());
   }
 
-  Error WrongCount(const SyntaxNode& list, const std::string& label, std::string_view what, std::size_t expected,
-                   std::size_t found, const std::string& names) const {
-    return At(list, "expected " + std::to_string(expected) + " " + std::string(what) + (expected == 1 ? "" : "s") + " for " +
-                        label + (names.empty() ? "" : " (" + names + ")") + ", found " + std::to_string(found));
+  Error WrongCount(const SyntaxNode& list, const std::string& label, std::string_view what,
+                   std::size_t expected, std::size_t found, const std::string& names) const {
+    return At(list, "expected " + std::to_string(expected) + " " + std::string(what) +
+                        (expected == 1 ? "" : "s") + " for " + label +
+                        (names.empty() ? "" : " (" + names + ")") + ", found " + std::to_string(found));
   }
 
   static std::string NamesText(const std::vector<int>& variables, const std::vector<std::string>& names) {
@@ -347,7 +382,8 @@ class SeedReader {
   }
 
   Result<Term> IcstPayload(const SyntaxNode& node, Scope* scope) {
-    const auto fields = Fields(node, {"composite state", "list of template arguments", "list of arguments"}, 2);
+    const auto fields =
+        Fields(node, {"composite state", "list of template arguments", "list of arguments"}, 2);
     if (!fields) return fields.error();
     const Result<std::size_t> index = Reference(*(*fields)[0], Declared::Kind::kCompositeState);
     if (!index) return index.error();
@@ -375,8 +411,8 @@ class SeedReader {
     Result<std::vector<Term>> template_arguments = Arguments(*(*fields)[1], "template arguments", scope);
     if (!template_arguments) return template_arguments.error();
     if (template_arguments->size() != model.model.template_arguments.size()) {
-      return WrongCount(*(*fields)[1], model.label, "template argument", model.model.template_arguments.size(),
-                        template_arguments->size(), "");
+      return WrongCount(*(*fields)[1], model.label, "template argument",
+                        model.model.template_arguments.size(), template_arguments->size(), "");
     }
     Result<std::vector<Term>> exposed = Arguments(*(*fields)[2], "exposed arguments", scope);
     if (!exposed) return exposed.error();
@@ -388,13 +424,15 @@ class SeedReader {
     return MakeImdl(model.model.id, std::move(*template_arguments), std::move(*exposed));
   }
 
-  // ------------------------------------------------------------------------------------------------ patterns, guards
+  // ------------------------------------------------------------------------------------------------
+  // patterns, guards
 
   Result<FactPattern> Pattern(const SyntaxNode& node, Scope* scope) {
     if (!node.IsGroup("fact") && !node.IsGroup("|fact")) {
       return At(node, "expected (fact ...) or (|fact ...), found " + Described(node));
     }
-    if (!node.label.empty()) return At(node, "expected a condition without a label, found '" + node.label + ":'");
+    if (!node.label.empty())
+      return At(node, "expected a condition without a label, found '" + node.label + ":'");
     const auto fields = Fields(node, {"payload", "start", "end"}, 2);
     if (!fields) return fields.error();
     FactPattern pattern;
@@ -428,7 +466,8 @@ class SeedReader {
     }
     std::vector<Term> operands;
     for (const SyntaxNode& item : node.items) {
-      if (!item.label.empty()) return At(item, "expected an operand without a label, found '" + item.label + ":'");
+      if (!item.label.empty())
+        return At(item, "expected an operand without a label, found '" + item.label + ":'");
       Result<Term> operand = Expression(item, scope);
       if (!operand) return operand;
       operands.push_back(std::move(*operand));
@@ -436,7 +475,8 @@ class SeedReader {
     return Term::Struct(op, std::move(operands));
   }
 
-  Result<std::vector<Guard>> Guards(const SyntaxNode& group, std::size_t i, std::string_view what, Scope* scope) {
+  Result<std::vector<Guard>> Guards(const SyntaxNode& group, std::size_t i, std::string_view what,
+                                    Scope* scope) {
     std::vector<Guard> guards;
     if (i >= group.items.size()) return guards;
     const Result<const SyntaxNode*> list = ListField(group, i, what);
@@ -456,7 +496,8 @@ class SeedReader {
     return guards;
   }
 
-  // ------------------------------------------------------------------------------------------------------ statements
+  // ------------------------------------------------------------------------------------------------------
+  // statements
 
   Status ReadStatement(const SyntaxStatement& statement) {
     const SyntaxNode& object = statement.object;
@@ -511,7 +552,8 @@ class SeedReader {
     }
     const auto fields = Fields(object, {}, 1);
     if (!fields) return fields.error();
-    DeclareSymbol(object.text == "ent" ? Term::Entity(object.label) : Term::Ontology(object.label), object.line);
+    DeclareSymbol(object.text == "ent" ? Term::Entity(object.label) : Term::Ontology(object.label),
+                  object.line);
     return Ok();
   }
 
@@ -549,12 +591,14 @@ class SeedReader {
     read.fact.payload = std::move(*payload);
     read.fact.interval = {after->time(), before->time()};
     if (read.fact.interval.before < read.fact.interval.after) {
-      return At(*(*fields)[2], "expected an end after the start " + ToText(after->time()) + ", found " + ToText(before->time()));
+      return At(*(*fields)[2], "expected an end after the start " + ToText(after->time()) + ", found " +
+                                   ToText(before->time()));
     }
     if (object.items.size() > 3 && object.items[3].kind == Kind::kNumber) {
       read.fact.confidence = object.items[3].number;
       if (read.fact.confidence < 0 || read.fact.confidence > 1) {
-        return At(object.items[3], "expected a confidence from 0 to 1, found " + FormatNumber(read.fact.confidence));
+        return At(object.items[3],
+                  "expected a confidence from 0 to 1, found " + FormatNumber(read.fact.confidence));
       }
     }
     Declare(object, Declared::Kind::kFact, {}, 0);
@@ -565,7 +609,8 @@ class SeedReader {
   // In OpenAERA's texts: a goal, a prediction, or a label of something passed over.
   bool PassedOver(const SyntaxNode& payload) const {
     if (payload.kind == Kind::kGroup) {
-      return payload.text != "mk.val" && payload.text != "cmd" && payload.text != "icst" && payload.text != "imdl";
+      return payload.text != "mk.val" && payload.text != "cmd" && payload.text != "icst" &&
+             payload.text != "imdl";
     }
     const auto it = declared_.find(payload.text);
     return payload.kind == Kind::kName && it != declared_.end() && it->second.kind == Declared::Kind::kOther;
@@ -583,9 +628,11 @@ class SeedReader {
       Result<Term> argument = Value(item, scope);
       if (!argument) return argument.error();
       bool variables = argument->is(TermKind::kVariable);
-      if (argument->IsStruct("ti")) variables = (*argument)[0].is(TermKind::kVariable) && (*argument)[1].is(TermKind::kVariable);
+      if (argument->IsStruct("ti"))
+        variables = (*argument)[0].is(TermKind::kVariable) && (*argument)[1].is(TermKind::kVariable);
       if (!variables || !item.label.empty()) {
-        return At(item, "expected a variable or (ti T0: T1:) as a template argument, found " + Described(item));
+        return At(item,
+                  "expected a variable or (ti T0: T1:) as a template argument, found " + Described(item));
       }
       arguments.push_back(std::move(*argument));
     }
@@ -602,7 +649,8 @@ class SeedReader {
     const Result<const SyntaxNode*> components = ListField(object, 1, "conditions");
     if (!components) return components.error();
     if ((*components)->items.empty() || (*components)->items.size() > kMaxComponents) {
-      return At(**components, "expected 1 to " + std::to_string(kMaxComponents) + " conditions in a composite state, found " +
+      return At(**components, "expected 1 to " + std::to_string(kMaxComponents) +
+                                  " conditions in a composite state, found " +
                                   std::to_string((*components)->items.size()));
     }
     for (const SyntaxNode& item : (*components)->items) {
@@ -615,7 +663,8 @@ class SeedReader {
     const Result<std::vector<Guard>> backward = Guards(object, 3, "backward guards", &scope);
     if (!backward) return backward.error();
     if (!backward->empty() && *backward != *forward) {
-      return At(object.items[3], "expected the backward guards of a composite state to be empty or equal to the forward ones");
+      return At(object.items[3],
+                "expected the backward guards of a composite state to be empty or equal to the forward ones");
     }
     if (Status status = ReadTail(object, 4, 1); !status) return status;
     state.guards = std::move(*forward);
@@ -626,8 +675,8 @@ class SeedReader {
     return Ok();
   }
 
-  // The next condition of `state`. Wildcards in its interval become the variables of the first condition, or, in the
-  // first one, new variables.
+  // The next condition of `state`. Wildcards in its interval become the variables of the first condition, or,
+  // in the first one, new variables.
   Result<FactPattern> Component(const SyntaxNode& item, const CompositeState& state, Scope* scope) {
     Result<FactPattern> component = Pattern(item, scope);
     if (!component) return component;
@@ -643,12 +692,15 @@ class SeedReader {
       component->before = first ? Term::Variable(scope->Fresh("T1")) : state.components[0].before;
     }
     if (first) {
-      if (component->after.is(TermKind::kVariable) && component->before.is(TermKind::kVariable)) return component;
+      if (component->after.is(TermKind::kVariable) && component->before.is(TermKind::kVariable))
+        return component;
       return At(item, "expected variables as the interval of a condition of a composite state");
     }
-    if (component->after == state.components[0].after && component->before == state.components[0].before) return component;
-    return At(item, "expected the interval of the first condition (" + ToText(state.components[0].after, scope->names()) +
-                        ": " + ToText(state.components[0].before, scope->names()) +
+    if (component->after == state.components[0].after && component->before == state.components[0].before)
+      return component;
+    return At(item, "expected the interval of the first condition (" +
+                        ToText(state.components[0].after, scope->names()) + ": " +
+                        ToText(state.components[0].before, scope->names()) +
                         ":), which all conditions of a composite state share");
   }
 
@@ -659,7 +711,8 @@ class SeedReader {
     }
     for (std::size_t k = i + 1; k < object.items.size(); ++k) {
       if (object.items[k].kind != Kind::kNumber || k > i + numbers) {
-        return At(object.items[k], "expected the end of (" + object.text + " ...), found " + Described(object.items[k]));
+        return At(object.items[k],
+                  "expected the end of (" + object.text + " ...), found " + Described(object.items[k]));
       }
     }
     return Ok();
@@ -684,7 +737,8 @@ class SeedReader {
     Result<FactPattern> rhs = Pattern((*sides)->items[1], &scope);
     if (!rhs) return rhs.error();
     if (!lhs->payload.is(TermKind::kStruct)) {
-      return At((*sides)->items[0], "expected (mk.val ...), (cmd ...), (icst ...) or (imdl ...) on the left side of a model");
+      return At((*sides)->items[0],
+                "expected (mk.val ...), (cmd ...), (icst ...) or (imdl ...) on the left side of a model");
     }
     if (IsCommand(rhs->payload)) {
       return At((*sides)->items[1], "expected no command on the right side of a model; commands are causes");
@@ -711,14 +765,16 @@ class SeedReader {
     const auto number = [&](std::size_t i) { return object.items[i].number; };
     if (object.items.size() > 5) {
       if (number(5) != 0 && number(5) != 1) {
-        return At(object.items[5], "expected 0 or 1 as the strength of a model, found " + FormatNumber(number(5)));
+        return At(object.items[5],
+                  "expected 0 or 1 as the strength of a model, found " + FormatNumber(number(5)));
       }
       model->strong = number(5) == 1;
     }
     double rate = 1;
     if (object.items.size() > 6) {
       if (number(6) < 1 || number(6) > 1e9) {
-        return At(object.items[6], "expected a count of tries from 1 to 1e9, found " + FormatNumber(number(6)));
+        return At(object.items[6],
+                  "expected a count of tries from 1 to 1e9, found " + FormatNumber(number(6)));
       }
       model->evidence.total = number(6);
     }
@@ -740,11 +796,13 @@ class SeedReader {
 
 }  // namespace
 
-Result<SeedKnowledge> ReadReplicode(std::string_view text, const std::string& file, const ReplicodeOptions& options) {
+Result<SeedKnowledge> ReadReplicode(std::string_view text, const std::string& file,
+                                    const ReplicodeOptions& options) {
   return SeedReader(file, options).Read(text);
 }
 
-Result<Term> ReadPayload(std::string_view text, const SourceLocation& start, const ReplicodeOptions& options) {
+Result<Term> ReadPayload(std::string_view text, const SourceLocation& start,
+                         const ReplicodeOptions& options) {
   return SeedReader(start.file, options).ReadPayloadOnly(text, start);
 }
 

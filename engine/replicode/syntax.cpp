@@ -14,11 +14,21 @@ namespace {
 // Values named by !def are copied at each use; this bounds how much a use can multiply the text.
 constexpr std::size_t kMaxDefinitionNodes = 64;
 
-bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
-bool IsNameCharacter(char c) { return IsLetter(c) || IsDigit(c) || c == '.'; }
-bool IsOperatorCharacter(char c) { return c == '+' || c == '-' || c == '*' || c == '/' || c == '<' || c == '>' || c == '='; }
-bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool IsLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool IsDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool IsNameCharacter(char c) {
+  return IsLetter(c) || IsDigit(c) || c == '.';
+}
+bool IsOperatorCharacter(char c) {
+  return c == '+' || c == '-' || c == '*' || c == '/' || c == '<' || c == '>' || c == '=';
+}
+bool IsSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
 
 std::size_t NodeCount(const SyntaxNode& node) {
   std::size_t count = 1;
@@ -50,9 +60,12 @@ std::optional<std::int64_t> ParseInteger(std::string_view text) {
 // "100ms", "-5s", "0.5s", "80us"; a whole number of microseconds within kForever.
 std::optional<std::int64_t> ParseSpan(std::string_view text) {
   std::int64_t scale = 0;
-  if (text.ends_with("us")) scale = 1;
-  else if (text.ends_with("ms")) scale = 1000;
-  else if (text.ends_with("s")) scale = 1'000'000;
+  if (text.ends_with("us"))
+    scale = 1;
+  else if (text.ends_with("ms"))
+    scale = 1000;
+  else if (text.ends_with("s"))
+    scale = 1'000'000;
   if (scale == 0) return std::nullopt;
   text.remove_suffix(scale == 1'000'000 ? 1 : 2);
   if (const auto whole = ParseInteger(text)) {
@@ -76,7 +89,8 @@ std::optional<std::int64_t> ParseInstant(std::string_view text) {
   if (second == std::string_view::npos) return std::nullopt;
   const std::string_view parts[] = {text.substr(0, first), text.substr(first + 1, second - first - 1),
                                     text.substr(second + 1)};
-  if (parts[0].ends_with("ms") || parts[0].ends_with("us") || !parts[1].ends_with("ms") || !parts[2].ends_with("us")) {
+  if (parts[0].ends_with("ms") || parts[0].ends_with("us") || !parts[1].ends_with("ms") ||
+      !parts[2].ends_with("us")) {
     return std::nullopt;
   }
   std::int64_t sum = 0;
@@ -97,12 +111,18 @@ struct Escape {
 std::optional<Escape> ParseEscape(std::string_view text) {
   if (text.size() < 2) return std::nullopt;
   switch (text[1]) {
-    case '"': return Escape{'"', 2};
-    case '\\': return Escape{'\\', 2};
-    case 'n': return Escape{'\n', 2};
-    case 't': return Escape{'\t', 2};
-    case 'x': break;
-    default: return std::nullopt;
+    case '"':
+      return Escape{'"', 2};
+    case '\\':
+      return Escape{'\\', 2};
+    case 'n':
+      return Escape{'\n', 2};
+    case 't':
+      return Escape{'\t', 2};
+    case 'x':
+      break;
+    default:
+      return std::nullopt;
   }
   unsigned value = 0;
   const std::string_view digits = text.substr(2, 2);
@@ -115,16 +135,26 @@ std::optional<Escape> ParseEscape(std::string_view text) {
 
 std::string Described(const SyntaxNode& node) {
   switch (node.kind) {
-    case SyntaxNode::Kind::kName: return "'" + Printable(node.text) + "'";
-    case SyntaxNode::Kind::kNumber: return "the number " + FormatNumber(node.number);
-    case SyntaxNode::Kind::kInstant: return "the time " + ToText(Time{node.us});
-    case SyntaxNode::Kind::kDuration: return "the duration " + ToText(Duration{node.us});
-    case SyntaxNode::Kind::kString: return "a text in quotes";
-    case SyntaxNode::Kind::kVariable: return "the variable '" + Printable(node.text) + ":'";
-    case SyntaxNode::Kind::kWildcard: return "':'";
-    case SyntaxNode::Kind::kRest: return "'::'";
-    case SyntaxNode::Kind::kList: return "a list";
-    case SyntaxNode::Kind::kGroup: return "(" + Printable(node.text) + " ...)";
+    case SyntaxNode::Kind::kName:
+      return "'" + Printable(node.text) + "'";
+    case SyntaxNode::Kind::kNumber:
+      return "the number " + FormatNumber(node.number);
+    case SyntaxNode::Kind::kInstant:
+      return "the time " + ToText(Time{node.us});
+    case SyntaxNode::Kind::kDuration:
+      return "the duration " + ToText(Duration{node.us});
+    case SyntaxNode::Kind::kString:
+      return "a text in quotes";
+    case SyntaxNode::Kind::kVariable:
+      return "the variable '" + Printable(node.text) + ":'";
+    case SyntaxNode::Kind::kWildcard:
+      return "':'";
+    case SyntaxNode::Kind::kRest:
+      return "'::'";
+    case SyntaxNode::Kind::kList:
+      return "a list";
+    case SyntaxNode::Kind::kGroup:
+      return "(" + Printable(node.text) + " ...)";
   }
   return {};
 }
@@ -152,9 +182,12 @@ void SyntaxReader::SkipLine() {
 
 void SyntaxReader::SkipSpace() {
   while (at_ < text_.size()) {
-    if (IsSpace(Peek())) Skip(1);
-    else if (Peek() == ';' || (options_.dump && Peek() == '>' && !line_started_)) SkipLine();
-    else return;
+    if (IsSpace(Peek()))
+      Skip(1);
+    else if (Peek() == ';' || (options_.dump && Peek() == '>' && !line_started_))
+      SkipLine();
+    else
+      return;
   }
 }
 
@@ -189,13 +222,20 @@ Status SyntaxReader::Advance() {
   };
   const char c = Peek();
   switch (c) {
-    case '(': return simple(Token::Kind::kOpen, 1);
-    case ')': return simple(Token::Kind::kClose, 1);
-    case '[': return simple(Token::Kind::kListOpen, 1);
-    case ']': return simple(Token::Kind::kListClose, 1);
-    case ':': return Peek(1) == ':' ? simple(Token::Kind::kRest, 2) : simple(Token::Kind::kWildcard, 1);
-    case '"': return ScanString();
-    default: break;
+    case '(':
+      return simple(Token::Kind::kOpen, 1);
+    case ')':
+      return simple(Token::Kind::kClose, 1);
+    case '[':
+      return simple(Token::Kind::kListOpen, 1);
+    case ']':
+      return simple(Token::Kind::kListClose, 1);
+    case ':':
+      return Peek(1) == ':' ? simple(Token::Kind::kRest, 2) : simple(Token::Kind::kWildcard, 1);
+    case '"':
+      return ScanString();
+    default:
+      break;
   }
   if (c == '|' && Peek(1) == '[') {
     if (Peek(2) == ']') return simple(Token::Kind::kEmptyList, 3);
@@ -228,7 +268,8 @@ Status SyntaxReader::ScanString() {
       if (!escape) {
         next_.line = line_;
         next_.column = column_;
-        return ErrorHere("expected \\\", \\\\, \\n, \\t or \\x and two hexadecimal digits after a backslash in a text");
+        return ErrorHere(
+            "expected \\\", \\\\, \\n, \\t or \\x and two hexadecimal digits after a backslash in a text");
       }
       c = escape->character;
       length = escape->length;
@@ -264,7 +305,8 @@ Status SyntaxReader::ScanNumber() {
     next_.kind = Token::Kind::kInstant;
     next_.us = *instant;
   } else {
-    return ErrorHere("expected a number, a duration such as 100ms or a time such as 0s:100ms:0us, " + FoundHere());
+    return ErrorHere("expected a number, a duration such as 100ms or a time such as 0s:100ms:0us, " +
+                     FoundHere());
   }
   Skip(length);
   return Ok();
@@ -279,7 +321,8 @@ Status SyntaxReader::ScanName() {
   if (Peek() != ':') return Ok();
   Skip(1);
   const char after = Peek();
-  const bool ends = at_ >= text_.size() || IsSpace(after) || after == ')' || after == ']' || after == ';' || after == ':';
+  const bool ends =
+      at_ >= text_.size() || IsSpace(after) || after == ')' || after == ']' || after == ';' || after == ':';
   next_.kind = ends ? Token::Kind::kVariable : Token::Kind::kLabel;
   return Ok();
 }
@@ -305,7 +348,8 @@ Result<SyntaxNode> SyntaxReader::ReadExpression(int depth) {
   if (next_.kind == Token::Kind::kLabel) {
     label = next_.source;
     if (Status status = Advance(); !status) return status.error();
-    if (next_.kind == Token::Kind::kLabel) return ErrorHere("expected one label before an expression, " + FoundHere());
+    if (next_.kind == Token::Kind::kLabel)
+      return ErrorHere("expected one label before an expression, " + FoundHere());
   }
   const auto read = [&]() -> Result<SyntaxNode> {
     if (next_.kind == Token::Kind::kOpen) return ReadGroup(depth);
@@ -333,14 +377,29 @@ Result<SyntaxNode> SyntaxReader::ReadExpression(int depth) {
 Result<SyntaxNode> SyntaxReader::ReadAtom() {
   SyntaxNode::Kind kind = SyntaxNode::Kind::kName;
   switch (next_.kind) {
-    case Token::Kind::kName: break;
-    case Token::Kind::kVariable: kind = SyntaxNode::Kind::kVariable; break;
-    case Token::Kind::kNumber: kind = SyntaxNode::Kind::kNumber; break;
-    case Token::Kind::kInstant: kind = SyntaxNode::Kind::kInstant; break;
-    case Token::Kind::kDuration: kind = SyntaxNode::Kind::kDuration; break;
-    case Token::Kind::kString: kind = SyntaxNode::Kind::kString; break;
-    case Token::Kind::kWildcard: kind = SyntaxNode::Kind::kWildcard; break;
-    case Token::Kind::kRest: kind = SyntaxNode::Kind::kRest; break;
+    case Token::Kind::kName:
+      break;
+    case Token::Kind::kVariable:
+      kind = SyntaxNode::Kind::kVariable;
+      break;
+    case Token::Kind::kNumber:
+      kind = SyntaxNode::Kind::kNumber;
+      break;
+    case Token::Kind::kInstant:
+      kind = SyntaxNode::Kind::kInstant;
+      break;
+    case Token::Kind::kDuration:
+      kind = SyntaxNode::Kind::kDuration;
+      break;
+    case Token::Kind::kString:
+      kind = SyntaxNode::Kind::kString;
+      break;
+    case Token::Kind::kWildcard:
+      kind = SyntaxNode::Kind::kWildcard;
+      break;
+    case Token::Kind::kRest:
+      kind = SyntaxNode::Kind::kRest;
+      break;
     case Token::Kind::kEnd:
     case Token::Kind::kOpen:
     case Token::Kind::kClose:
@@ -348,7 +407,8 @@ Result<SyntaxNode> SyntaxReader::ReadAtom() {
     case Token::Kind::kListClose:
     case Token::Kind::kEmptyList:
     case Token::Kind::kLabel:
-    case Token::Kind::kDirective: return ErrorHere("expected a value, " + FoundHere());
+    case Token::Kind::kDirective:
+      return ErrorHere("expected a value, " + FoundHere());
   }
   SyntaxNode node = NodeHere(kind);
   if (Status status = Advance(); !status) return status.error();
@@ -366,8 +426,8 @@ Result<SyntaxNode> SyntaxReader::ReadGroup(int depth) {
   if (Status status = Advance(); !status) return status.error();
   while (next_.kind != Token::Kind::kClose) {
     if (next_.kind == Token::Kind::kEnd || next_.kind == Token::Kind::kListClose) {
-      return ErrorHere("expected ')' to close (" + Printable(node.text) + " of line " + std::to_string(node.line) + ", " +
-                       FoundHere());
+      return ErrorHere("expected ')' to close (" + Printable(node.text) + " of line " +
+                       std::to_string(node.line) + ", " + FoundHere());
     }
     Result<SyntaxNode> item = ReadExpression(depth + 1);
     if (!item) return item;
@@ -386,7 +446,8 @@ Result<SyntaxNode> SyntaxReader::ReadList(int depth) {
   if (surely_empty) return node;
   while (next_.kind != Token::Kind::kListClose) {
     if (next_.kind == Token::Kind::kEnd || next_.kind == Token::Kind::kClose) {
-      return ErrorHere("expected ']' to close the list of line " + std::to_string(node.line) + ", " + FoundHere());
+      return ErrorHere("expected ']' to close the list of line " + std::to_string(node.line) + ", " +
+                       FoundHere());
     }
     Result<SyntaxNode> item = ReadExpression(depth + 1);
     if (!item) return item;
@@ -396,8 +457,8 @@ Result<SyntaxNode> SyntaxReader::ReadList(int depth) {
   if (!node.items.empty() || !next_.first_on_line || next_.indent <= outer_indent) return node;
   // `[]` at the end of a line, then deeper lines: these are the elements.
   const int indent = next_.indent;
-  while (next_.kind != Token::Kind::kEnd && next_.kind != Token::Kind::kClose && next_.kind != Token::Kind::kListClose &&
-         !(next_.first_on_line && next_.indent < indent)) {
+  while (next_.kind != Token::Kind::kEnd && next_.kind != Token::Kind::kClose &&
+         next_.kind != Token::Kind::kListClose && !(next_.first_on_line && next_.indent < indent)) {
     Result<SyntaxNode> item = ReadExpression(depth + 1);
     if (!item) return item;
     node.items.push_back(std::move(*item));
@@ -416,8 +477,9 @@ Status SyntaxReader::ReadDefinition() {
   Result<SyntaxNode> value = ReadExpression(1);
   if (!value) return value.error();
   if (NodeCount(*value) > kMaxDefinitionNodes) {
-    return ErrorAt({file_, value->line, value->column},
-                   "expected at most " + std::to_string(kMaxDefinitionNodes) + " words in the value of a !def");
+    return ErrorAt(
+        {file_, value->line, value->column},
+        "expected at most " + std::to_string(kMaxDefinitionNodes) + " words in the value of a !def");
   }
   definitions_.insert_or_assign(name, std::move(*value));
   return Ok();
@@ -431,15 +493,16 @@ Status SyntaxReader::SkipDumpNumbers() {
   if (next_.kind != Token::Kind::kOpen || !IsDigit(Peek())) return Ok();
   for (const Token::Kind expected : {Token::Kind::kNumber, Token::Kind::kClose}) {
     if (Status status = Advance(); !status) return status;
-    if (next_.kind != expected) return ErrorHere("expected the number of an object in parentheses, " + FoundHere());
+    if (next_.kind != expected)
+      return ErrorHere("expected the number of an object in parentheses, " + FoundHere());
   }
   return Advance();
 }
 
 Result<std::optional<SyntaxStatement>> SyntaxReader::NextStatement() {
   if (text_.size() > kMaxReplicodeBytes) {
-    return Error{file_ + ": expected at most " + std::to_string(kMaxReplicodeBytes >> 20) + " MiB of Replicode, found " +
-                 std::to_string(text_.size() >> 20) + " MiB"};
+    return Error{file_ + ": expected at most " + std::to_string(kMaxReplicodeBytes >> 20) +
+                 " MiB of Replicode, found " + std::to_string(text_.size() >> 20) + " MiB"};
   }
   if (!started_) {
     started_ = true;
@@ -480,7 +543,8 @@ Result<std::optional<SyntaxStatement>> SyntaxReader::NextStatement() {
 Result<SyntaxNode> SyntaxReader::OnlyExpression() {
   if (Status status = Advance(); !status) return status.error();
   Result<SyntaxNode> node = ReadExpression(1);
-  if (node && next_.kind != Token::Kind::kEnd) return ErrorHere("expected nothing after the expression, " + FoundHere());
+  if (node && next_.kind != Token::Kind::kEnd)
+    return ErrorHere("expected nothing after the expression, " + FoundHere());
   return node;
 }
 

@@ -1,11 +1,14 @@
 // The form of Replicode text, without its meaning: statements, lists, names, numbers, times, variables.
 //
-// `label:(head field field ...) [views]`, comments from ; to the end of the line. A list is written `[a b c]`, or as
-// `[]` at the end of a line followed by one element a line, indented deeper; `|[]` is always the empty list. `X:` is a
-// variable, `:` and `::` are wildcards for one field and for the rest, `P1:(+ P0 D)` is an expression with a label.
-// Times are 100ms, 5s, 80us (durations) and 0s:100ms:0us (instants). `!def NAME value` names a value.
+// `label:(head field field ...) [views]`, comments from ; to the end of the line. A list is written `[a b
+// c]`, or as
+// `[]` at the end of a line followed by one element a line, indented deeper; `|[]` is always the empty list.
+// `X:` is a variable, `:` and `::` are wildcards for one field and for the rest, `P1:(+ P0 D)` is an
+// expression with a label. Times are 100ms, 5s, 80us (durations) and 0s:100ms:0us (instants). `!def NAME
+// value` names a value.
 //
-// Always true: reading takes memory and time in proportion to the text, whatever its bytes; nesting ends at kMaxNesting.
+// Always true: reading takes memory and time in proportion to the text, whatever its bytes; nesting ends at
+// kMaxNesting.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +26,21 @@ inline constexpr int kMaxNesting = 32;
 inline constexpr std::size_t kMaxReplicodeBytes = 16 << 20;
 
 struct SyntaxNode {
-  enum class Kind { kName, kNumber, kInstant, kDuration, kString, kVariable, kWildcard, kRest, kList, kGroup };
+  enum class Kind {
+    kName,
+    kNumber,
+    kInstant,
+    kDuration,
+    kString,
+    kVariable,
+    kWildcard,
+    kRest,
+    kList,
+    kGroup
+  };
 
   Kind kind = Kind::kName;
-  std::string text;               // a name, a variable's name, a string, the head of a group
+  std::string text;  // a name, a variable's name, a string, the head of a group
   double number = 0;
   std::int64_t us = 0;            // of an instant or a duration, microseconds
   std::string label;              // of a labelled expression, else empty
@@ -47,7 +61,8 @@ struct SyntaxStatement {
 };
 
 struct SyntaxOptions {
-  // Accepts what OpenAERA's dumps of objects have beside Replicode: numbers before the label, lines starting with >.
+  // Accepts what OpenAERA's dumps of objects have beside Replicode: numbers before the label, lines starting
+  // with >.
   bool dump = false;
 };
 
@@ -67,8 +82,22 @@ class SyntaxReader {
  private:
   struct Token {
     enum class Kind {
-      kEnd, kOpen, kClose, kListOpen, kListClose, kEmptyList, kName, kLabel, kVariable, kNumber, kInstant, kDuration,
-      kString, kWildcard, kRest, kDirective
+      kEnd,
+      kOpen,
+      kClose,
+      kListOpen,
+      kListClose,
+      kEmptyList,
+      kName,
+      kLabel,
+      kVariable,
+      kNumber,
+      kInstant,
+      kDuration,
+      kString,
+      kWildcard,
+      kRest,
+      kDirective
     };
     Kind kind = Kind::kEnd;
     std::string_view source;  // the characters of the token
@@ -77,7 +106,7 @@ class SyntaxReader {
     std::int64_t us = 0;
     int line = 0;
     int column = 0;
-    int indent = 0;           // column of the first token of its line
+    int indent = 0;  // column of the first token of its line
     bool first_on_line = false;
   };
 

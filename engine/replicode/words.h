@@ -14,8 +14,8 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kT
     {{"=", "equ"}, {"<>", "neq"}, {"<", "lsr"}, {">", "gtr"}, {"<=", "lse"}, {">=", "gte"}}};
 
 // Values with a name of their own; not free for entities and labels.
-inline constexpr std::array<std::string_view, 8> kConstantWords{"nil", "true", "false", "forever", "GIGASEC", "MAX_TIME",
-                                                                "sampling_period", "now"};
+inline constexpr std::array<std::string_view, 8> kConstantWords{
+    "nil", "true", "false", "forever", "GIGASEC", "MAX_TIME", "sampling_period", "now"};
 
 // Structured values and how many elements they have.
 inline constexpr std::array<std::pair<std::string_view, std::size_t>, 3> kValueStructs{

@@ -23,9 +23,10 @@ bool IsPlainName(std::string_view name) {
 std::string InstantText(Time time) {
   if (time == kForever) return "GIGASEC";
   const bool negative = time.us < 0;
-  const std::uint64_t us = negative ? 0 - static_cast<std::uint64_t>(time.us) : static_cast<std::uint64_t>(time.us);
-  return (negative ? "-" : "") + std::to_string(us / 1'000'000) + "s:" + std::to_string(us / 1000 % 1000) + "ms:" +
-         std::to_string(us % 1000) + "us";
+  const std::uint64_t us =
+      negative ? 0 - static_cast<std::uint64_t>(time.us) : static_cast<std::uint64_t>(time.us);
+  return (negative ? "-" : "") + std::to_string(us / 1'000'000) + "s:" + std::to_string(us / 1000 % 1000) +
+         "ms:" + std::to_string(us % 1000) + "us";
 }
 
 std::string DurationText(Duration duration) {
@@ -67,33 +68,46 @@ class Writer {
 
   const std::optional<Error>& error() const { return error_; }
 
-  // In patterns a variable has its colon and fields without meaning are wildcards; in guards variables already met are
-  // bare; in stated facts the fields without meaning have values.
+  // In patterns a variable has its colon and fields without meaning are wildcards; in guards variables
+  // already met are bare; in stated facts the fields without meaning have values.
   enum class Place { kPattern, kGuard, kFact };
 
   std::string Value(const Term& term, Place place) {
     switch (term.kind()) {
-      case TermKind::kNil: return "nil";
+      case TermKind::kNil:
+        return "nil";
       case TermKind::kEntity:
-      case TermKind::kOntology: return Name(term.name());
-      case TermKind::kNumber: return Number(term.number());
-      case TermKind::kTime: return InstantText(term.time());
-      case TermKind::kDuration: return DurationText(term.duration());
-      case TermKind::kString: return QuotedText(term.name());
-      case TermKind::kBool: return term.boolean() ? "true" : "false";
-      case TermKind::kVariable: return Variable(term.variable(), place);
-      case TermKind::kWildcard: return ":";
-      case TermKind::kSet: return "[" + Items(term, place) + "]";
-      case TermKind::kStruct: return Struct(term, place);
+      case TermKind::kOntology:
+        return Name(term.name());
+      case TermKind::kNumber:
+        return Number(term.number());
+      case TermKind::kTime:
+        return InstantText(term.time());
+      case TermKind::kDuration:
+        return DurationText(term.duration());
+      case TermKind::kString:
+        return QuotedText(term.name());
+      case TermKind::kBool:
+        return term.boolean() ? "true" : "false";
+      case TermKind::kVariable:
+        return Variable(term.variable(), place);
+      case TermKind::kWildcard:
+        return ":";
+      case TermKind::kSet:
+        return "[" + Items(term, place) + "]";
+      case TermKind::kStruct:
+        return Struct(term, place);
       case TermKind::kCompositeState:
-      case TermKind::kModel: return Fail("a reference to knowledge as a value");
+      case TermKind::kModel:
+        return Fail("a reference to knowledge as a value");
     }
     return {};
   }
 
   std::string Payload(const Term& payload, Place place) {
     const std::string salience = place == Place::kFact ? " 1)" : " :)";
-    if (IsValue(payload) || IsCommand(payload)) return "(" + payload.name() + " " + Items(payload, place) + salience;
+    if (IsValue(payload) || IsCommand(payload))
+      return "(" + payload.name() + " " + Items(payload, place) + salience;
     if ((IsIcst(payload) && payload[0].is(TermKind::kCompositeState)) ||
         (IsImdl(payload) && payload[0].is(TermKind::kModel))) {
       return "(" + payload.name() + " " + Label(payload[0]) + " " + Value(payload[1], place) + " " +
@@ -104,8 +118,9 @@ class Writer {
   }
 
   std::string Pattern(const FactPattern& pattern) {
-    return std::string(pattern.positive ? "(fact " : "(|fact ") + Payload(pattern.payload, Place::kPattern) + " " +
-           Value(pattern.after, Place::kPattern) + " " + Value(pattern.before, Place::kPattern) + " : :)";
+    return std::string(pattern.positive ? "(fact " : "(|fact ") + Payload(pattern.payload, Place::kPattern) +
+           " " + Value(pattern.after, Place::kPattern) + " " + Value(pattern.before, Place::kPattern) +
+           " : :)";
   }
 
   std::string Guards(const std::vector<Guard>& guards) {
@@ -118,7 +133,9 @@ class Writer {
     return text;
   }
 
-  std::string Name(const std::string& name) { return IsPlainName(name) ? name : Fail("the name '" + Printable(name) + "'"); }
+  std::string Name(const std::string& name) {
+    return IsPlainName(name) ? name : Fail("the name '" + Printable(name) + "'");
+  }
 
   std::string Number(double number) {
     const std::string text = FormatNumber(number);
@@ -141,12 +158,14 @@ class Writer {
 
   std::string Expression(const Term& term) {
     const auto is_operator = [&](const auto& words) {
-      return std::any_of(words.begin(), words.end(), [&](const auto& word) { return term.name() == word.first; });
+      return std::any_of(words.begin(), words.end(),
+                         [&](const auto& word) { return term.name() == word.first; });
     };
     const bool operation = term.is(TermKind::kStruct) && term.size() == 2 &&
                            (is_operator(kArithmeticWords) || is_operator(kTestWords));
     if (!operation) return Value(term, Place::kGuard);
-    const std::string first = Expression(term[0]);  // in order: a variable has its colon where it is met first
+    const std::string first =
+        Expression(term[0]);  // in order: a variable has its colon where it is met first
     return "(" + term.name() + " " + first + " " + Expression(term[1]) + ")";
   }
 
@@ -165,7 +184,9 @@ class Writer {
   }
 
   std::string Fail(const std::string& what) {
-    if (!error_) error_ = Error{"expected knowledge that Replicode can say, found " + what + ", which has no form there"};
+    if (!error_)
+      error_ =
+          Error{"expected knowledge that Replicode can say, found " + what + ", which has no form there"};
     return {};
   }
 
@@ -184,17 +205,21 @@ class SeedWriter {
   Result<std::string> Run() {
     std::string text;
     for (const Term& symbol : seed_.symbols) {
-      text += writer_.Name(symbol.name()) + (symbol.is(TermKind::kEntity) ? ":(ent 1) |[]\n" : ":(ont 1) |[]\n");
+      text +=
+          writer_.Name(symbol.name()) + (symbol.is(TermKind::kEntity) ? ":(ent 1) |[]\n" : ":(ont 1) |[]\n");
     }
     std::string definitions;
     // Both lists are in order of their numbers; a composite state refers to composite states only.
     for (const SeedCompositeState& item : seed_.composite_states) {
-      writer_.labels[item.state.id.value] = FreeLabel(item.label, "cst_" + std::to_string(item.state.id.value));
+      writer_.labels[item.state.id.value] =
+          FreeLabel(item.label, "cst_" + std::to_string(item.state.id.value));
     }
     for (const SeedModel& item : seed_.models) {
-      writer_.labels[item.model.id.value] = FreeLabel(item.label, "mdl_" + std::to_string(item.model.id.value));
+      writer_.labels[item.model.id.value] =
+          FreeLabel(item.label, "mdl_" + std::to_string(item.model.id.value));
     }
-    for (const SeedCompositeState& item : seed_.composite_states) definitions += "\n" + CompositeStateText(item.state);
+    for (const SeedCompositeState& item : seed_.composite_states)
+      definitions += "\n" + CompositeStateText(item.state);
     for (const SeedModel& item : seed_.models) definitions += "\n" + ModelText(item);
     if (!seed_.facts.empty() && !text.empty()) definitions += "\n";
     writer_.Begin({});
@@ -237,8 +262,8 @@ class SeedWriter {
     const Model& model = item.model;
     NameVariables(model.variable_names);
     std::string text = writer_.labels[model.id.value] + ":(mdl " +
-                       writer_.Value(Term::Set(model.template_arguments), Writer::Place::kPattern) + " []\n   " +
-                       writer_.Pattern(model.lhs) + "\n   " + writer_.Pattern(model.rhs) + "\n";
+                       writer_.Value(Term::Set(model.template_arguments), Writer::Place::kPattern) +
+                       " []\n   " + writer_.Pattern(model.lhs) + "\n   " + writer_.Pattern(model.rhs) + "\n";
     text += writer_.Guards(model.forward) + writer_.Guards(model.backward);
     return text + "[stdin] " + (item.strong ? "1 " : "0 ") + writer_.Number(item.evidence.total) + " " +
            writer_.Number(item.evidence.rate()) + " 1 1) |[]\n";
@@ -247,7 +272,8 @@ class SeedWriter {
   std::string FactText(const SeedFact& item) {
     std::string text;
     if (IsPlainName(item.label) && taken_.insert(item.label).second) text = item.label + ":";
-    return text + (item.fact.positive ? "(fact " : "(|fact ") + writer_.Payload(item.fact.payload, Writer::Place::kFact) + " " +
+    return text + (item.fact.positive ? "(fact " : "(|fact ") +
+           writer_.Payload(item.fact.payload, Writer::Place::kFact) + " " +
            InstantText(item.fact.interval.after) + " " + InstantText(item.fact.interval.before) + " " +
            writer_.Number(item.fact.confidence) + " 1) |[]\n";
   }

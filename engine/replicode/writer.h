@@ -1,4 +1,5 @@
-// Writes knowledge as Replicode text that ReadReplicode reads back to the same content (the same canonical hashes).
+// Writes knowledge as Replicode text that ReadReplicode reads back to the same content (the same canonical
+// hashes).
 #pragma once
 
 #include <string>

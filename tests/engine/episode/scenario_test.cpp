@@ -90,8 +90,9 @@ TEST(Scenario, TheScriptedPickAndPlaceIsComplete) {
   for (const TeacherCommand& command : scenario->teacher) {
     lessons.push_back(std::to_string(command.frame) + " " + ToText(command.command) + " " + command.to);
   }
-  EXPECT_THAT(lessons, ElementsAre("1 (cmd move [h]) c1", "2 (cmd grab_type_1 [h]) ", "3 (cmd release [h]) ",
-                                   "4 (cmd move [h]) c2", "5 (cmd grab_type_2 [h]) ", "6 (cmd release [h]) "));
+  EXPECT_THAT(lessons,
+              ElementsAre("1 (cmd move [h]) c1", "2 (cmd grab_type_1 [h]) ", "3 (cmd release [h]) ",
+                          "4 (cmd move [h]) c2", "5 (cmd grab_type_2 [h]) ", "6 (cmd release [h]) "));
   std::vector<std::string> drives;
   for (const Drive& drive : scenario->drives) drives.push_back(drive.title + " " + ToText(drive.goal));
   EXPECT_THAT(drives, ElementsAre("hold s1 (mk.val h holding [s1])", "hold nothing (mk.val h holding [])",
@@ -160,21 +161,26 @@ TEST(Scenario, AnEpisodesFilesRebuildTheScenario) {
   files.erase("world/scene.xml");
   EXPECT_EQ(LoadScenarioFromFiles(files).error().message,
             "scenario.toml:17:9: expected the file world/scene.xml in the episode, found none");
-  EXPECT_EQ(LoadScenarioFromFiles({}).error().message, "expected the file scenario.toml in the episode, found none");
+  EXPECT_EQ(LoadScenarioFromFiles({}).error().message,
+            "expected the file scenario.toml in the episode, found none");
 }
 
 TEST(Scenario, AMoveIsCompletedFromWhatTheSensorsReport) {
   const Scenario scenario = Good("[[teacher]]\nframe = 1\ncommand = \"move\"\nto = \"s1\"\n");
   const TimeInterval frame{{0}, {100'000}};
   const auto at = [&](const char* entity, Term place) {
-    return Fact{true, MakeValue(Term::Entity(entity), Term::Ontology("position"), std::move(place)), frame, 1};
+    return Fact{true, MakeValue(Term::Entity(entity), Term::Ontology("position"), std::move(place)), frame,
+                1};
   };
   const std::vector<Fact> facts{at("h", Term::Number(1)), at("s1", Term::Number(8))};
   EXPECT_EQ(ToText(*CompleteCommand(scenario.teacher[0], scenario, facts)), "(cmd move [h 7])");
 
-  const auto plane = [](double x, double y) { return Term::Struct("vec2", {Term::Number(x), Term::Number(y)}); };
+  const auto plane = [](double x, double y) {
+    return Term::Struct("vec2", {Term::Number(x), Term::Number(y)});
+  };
   const std::vector<Fact> in_plane{at("h", plane(0.1, 0)), at("s1", plane(0.3, -0.2))};
-  EXPECT_EQ(ToText(*CompleteCommand(scenario.teacher[0], scenario, in_plane)), "(cmd move [h (vec2 0.2 -0.2)])");
+  EXPECT_EQ(ToText(*CompleteCommand(scenario.teacher[0], scenario, in_plane)),
+            "(cmd move [h (vec2 0.2 -0.2)])");
 
   EXPECT_EQ(CompleteCommand(scenario.teacher[0], scenario, {facts.data(), 1}).error().message,
             "expected the position of s1 among the facts of frame 1, which the teacher needs, found none");
@@ -197,7 +203,8 @@ frames = 2
 }
 
 TEST(Scenario, ParametersAreSetByName) {
-  const Scenario scenario = Good("[reasoner]\nanalogy_mode = \"openaera\"\nprimary_act_thr = 0.5\ncommit_offset_ms = 70\n");
+  const Scenario scenario =
+      Good("[reasoner]\nanalogy_mode = \"openaera\"\nprimary_act_thr = 0.5\ncommit_offset_ms = 70\n");
   EXPECT_EQ(scenario.reasoner.analogy_mode, AnalogyMode::kOpenaera);
   EXPECT_EQ(scenario.reasoner.analogy_min_matched, 3) << "the default of that mode";
   EXPECT_EQ(scenario.reasoner.primary_act_thr, 0.5);
@@ -206,23 +213,29 @@ TEST(Scenario, ParametersAreSetByName) {
 
 TEST(ScenarioErrors, Keys) {
   EXPECT_EQ(ErrorOf("[reasoner]\nanalogy_mod = \"paper\"\n"),
-            "scenario.toml:10:1: expected a known key in [reasoner], found 'analogy_mod'; did you mean 'analogy_mode'?");
+            "scenario.toml:10:1: expected a known key in [reasoner], found 'analogy_mod'; did you mean "
+            "'analogy_mode'?");
   EXPECT_EQ(ErrorOf("[recording]\nfps = 3\n"),
-            "scenario.toml:10:1: expected a known key in [recording], found 'fps'; known are world_states_per_second");
+            "scenario.toml:10:1: expected a known key in [recording], found 'fps'; known are "
+            "world_states_per_second");
   EXPECT_EQ(ErrorOf("[drive]\n"),
             "scenario.toml:9:2: expected a known key in the scenario, found 'drive'; did you mean 'drives'?");
   EXPECT_EQ(Load("titel = \"T\"\n").error().message,
             "scenario.toml:1:1: expected a known key in the scenario, found 'titel'; did you mean 'title'?");
-  EXPECT_EQ(ErrorOf("[[teacher]]\nframe = 1\n"), "scenario.toml:9:1: expected the key 'command' in [[teacher]], found none");
-  EXPECT_EQ(Load("title = 5\n").error().message, "scenario.toml:1:9: expected a text in quotes for 'title', found 5");
-  EXPECT_EQ(Load(std::string(kHead)).error().message, "scenario.toml:1:1: expected the key 'world' in the scenario, found none");
+  EXPECT_EQ(ErrorOf("[[teacher]]\nframe = 1\n"),
+            "scenario.toml:9:1: expected the key 'command' in [[teacher]], found none");
+  EXPECT_EQ(Load("title = 5\n").error().message,
+            "scenario.toml:1:9: expected a text in quotes for 'title', found 5");
+  EXPECT_EQ(Load(std::string(kHead)).error().message,
+            "scenario.toml:1:1: expected the key 'world' in the scenario, found none");
   EXPECT_THAT(Load("title = \n").error().message, StartsWith("scenario.toml:1:"));
   EXPECT_THAT(Load("title = \n").error().message, HasSubstr("expected valid TOML, found trouble: "));
 }
 
 TEST(ScenarioErrors, Values) {
   EXPECT_EQ(ErrorOf("[reasoner]\nanalogy_mode = \"papr\"\n"),
-            "scenario.toml:10:16: expected one of \"paper\", \"openaera\" for 'analogy_mode', found the text \"papr\"; did you "
+            "scenario.toml:10:16: expected one of \"paper\", \"openaera\" for 'analogy_mode', found the text "
+            "\"papr\"; did you "
             "mean \"paper\"?");
   EXPECT_EQ(ErrorOf("[reasoner]\nprimary_act_thr = 1.5\n"),
             "scenario.toml:10:19: expected a number from 0 to 1 for 'primary_act_thr', found 1.5");
@@ -231,26 +244,32 @@ TEST(ScenarioErrors, Values) {
   EXPECT_EQ(ErrorOf("[reasoner]\nmax_plan_depth = 2.5\n"),
             "scenario.toml:10:18: expected a whole number from 1 to 100 for 'max_plan_depth', found 2.5");
   EXPECT_EQ(ErrorOf("[reasoner]\ncommit_offset_ms = 5\n"),
-            "scenario.toml:9:1: expected goal_offset_ms <= commit_offset_ms, and commit_offset_ms and command_offset_ms below the "
+            "scenario.toml:9:1: expected goal_offset_ms <= commit_offset_ms, and commit_offset_ms and "
+            "command_offset_ms below the "
             "sampling period of 100 ms");
-  EXPECT_EQ(ErrorOf("recording = 5\n"), "scenario.toml:9:1: expected a known key in [world], found 'recording'; known are "
-            "commands, hand, highest_position, holding_attribute, kind, lowest_position, objects, position_attribute");
+  EXPECT_EQ(ErrorOf("recording = 5\n"),
+            "scenario.toml:9:1: expected a known key in [world], found 'recording'; known are "
+            "commands, hand, highest_position, holding_attribute, kind, lowest_position, objects, "
+            "position_attribute");
 }
 
 TEST(ScenarioErrors, TheTeacher) {
   const std::string command = "[[teacher]]\nframe = 1\ncommand = ";
   EXPECT_EQ(ErrorOf(command + "\"grap\"\n"),
-            "scenario.toml:11:11: expected a command of the world (move, grab, release), found 'grap'; did you mean 'grab'?");
+            "scenario.toml:11:11: expected a command of the world (move, grab, release), found 'grap'; did "
+            "you mean 'grab'?");
   EXPECT_EQ(ErrorOf(command + "\"move\"\n"),
             "scenario.toml:11:11: expected 'to', the entity to move to, beside 'move', found none");
   EXPECT_EQ(ErrorOf(command + "\"grab\"\nto = \"c1\"\n"),
             "scenario.toml:11:11: expected a move, the only command with 'to', found 'grab'");
   EXPECT_EQ(ErrorOf(command + "\"move\"\nto = \"c9\"\n"),
-            "scenario.toml:12:6: expected an entity of the seed, found 'c9', which the seed does not declare; did you mean 'c1'?");
+            "scenario.toml:12:6: expected an entity of the seed, found 'c9', which the seed does not "
+            "declare; did you mean 'c1'?");
   EXPECT_EQ(ErrorOf(command + "\"move\"\nto = \"run\"\n"),
             "scenario.toml:12:6: expected an object of the world, found 'run', which is not one");
   EXPECT_EQ(ErrorOf(command + "\"(cmd grab [hh])\"\n"),
-            "scenario.toml:11:23: expected a declared name, found 'hh', which is not declared above; did you mean 'h'?");
+            "scenario.toml:11:23: expected a declared name, found 'hh', which is not declared above; did you "
+            "mean 'h'?");
   EXPECT_EQ(ErrorOf(command + "\"(mk.val h holding [])\"\n"),
             "scenario.toml:11:11: expected a command such as (cmd release [h]), found (mk.val h holding [])");
   EXPECT_EQ(ErrorOf("[[teacher]]\nframe = 5\ncommand = \"release\"\n" + command + "\"release\"\n"),
@@ -259,15 +278,19 @@ TEST(ScenarioErrors, TheTeacher) {
 
 TEST(ScenarioErrors, Drives) {
   const std::string drive = "[[drives]]\ntitle = \"d\"\n";
-  EXPECT_EQ(ErrorOf(drive), "scenario.toml:9:1: expected either 'goal', such as \"(mk.val h holding [])\", or 'model', the "
-                            "label of a drive model of the seed, in [[drives]], found neither");
+  EXPECT_EQ(ErrorOf(drive),
+            "scenario.toml:9:1: expected either 'goal', such as \"(mk.val h holding [])\", or 'model', the "
+            "label of a drive model of the seed, in [[drives]], found neither");
   EXPECT_EQ(ErrorOf(drive + "model = \"hold_c2\"\n"),
-            "scenario.toml:11:9: expected the label of a drive model of the seed, found 'hold_c2'; did you mean 'hold_c1'?");
+            "scenario.toml:11:9: expected the label of a drive model of the seed, found 'hold_c2'; did you "
+            "mean 'hold_c1'?");
   EXPECT_EQ(ErrorOf(drive + "model = \"hold_anything\"\n"),
-            "scenario.toml:11:9: expected a drive model whose left side is a (fact (mk.val ...) ...) without variables, found "
+            "scenario.toml:11:9: expected a drive model whose left side is a (fact (mk.val ...) ...) without "
+            "variables, found "
             "'hold_anything', which has another");
   EXPECT_EQ(ErrorOf(drive + "goal = \"(mk.val h holdin [])\"\n"),
-            "scenario.toml:11:19: expected a declared name, found 'holdin', which is not declared above; did you mean "
+            "scenario.toml:11:19: expected a declared name, found 'holdin', which is not declared above; did "
+            "you mean "
             "'holding'?");
   EXPECT_EQ(ErrorOf(drive + "goal = \"(cmd grab [h])\"\n"),
             "scenario.toml:11:8: expected a goal (mk.val ...), found (cmd grab [h])");
@@ -276,19 +299,26 @@ TEST(ScenarioErrors, Drives) {
 TEST(ScenarioErrors, TheWorld) {
   const auto world = [](const std::string& text) { return Load(std::string(kHead) + text).error().message; };
   EXPECT_EQ(world("[world]\nkind = \"mujocco\"\n"),
-            "scenario.toml:5:8: expected one of \"scripted\", \"mujoco\" for 'kind', found the text \"mujocco\"; did you mean "
+            "scenario.toml:5:8: expected one of \"scripted\", \"mujoco\" for 'kind', found the text "
+            "\"mujocco\"; did you mean "
             "\"mujoco\"?");
   EXPECT_EQ(world("[world]\nkind = \"scripted\"\nhand = { entity = \"hh\" }\n"),
-            "scenario.toml:6:19: expected an entity of the seed, found 'hh', which the seed does not declare; did you mean 'h'?");
-  EXPECT_EQ(world("[world]\nkind = \"scripted\"\nhand = { entity = \"size\" }\n"),
-            "scenario.toml:6:19: expected an entity of the seed, found 'size', which is declared, but not as that");
-  EXPECT_EQ(world("[world]\nkind = \"scripted\"\nhand = { entity = \"h\", properties = { size = \"lagre\" } }\n"),
-            "scenario.toml:6:46: expected an ontology symbol of the seed, found 'lagre', which the seed does not declare; did "
-            "you mean 'large'?");
-  EXPECT_EQ(world("[world]\nkind = \"scripted\"\nhand = { entity = \"h\" }\nobjects = [{ entity = \"c1\", position = 1, properties "
+            "scenario.toml:6:19: expected an entity of the seed, found 'hh', which the seed does not "
+            "declare; did you mean 'h'?");
+  EXPECT_EQ(
+      world("[world]\nkind = \"scripted\"\nhand = { entity = \"size\" }\n"),
+      "scenario.toml:6:19: expected an entity of the seed, found 'size', which is declared, but not as that");
+  EXPECT_EQ(
+      world("[world]\nkind = \"scripted\"\nhand = { entity = \"h\", properties = { size = \"lagre\" } }\n"),
+      "scenario.toml:6:46: expected an ontology symbol of the seed, found 'lagre', which the seed does not "
+      "declare; did "
+      "you mean 'large'?");
+  EXPECT_EQ(world("[world]\nkind = \"scripted\"\nhand = { entity = \"h\" }\nobjects = [{ entity = \"c1\", "
+                  "position = 1, properties "
                   "= { size = \"large\" } }]\n"),
             "scenario.toml:7:56: expected size = \"small\" of c1, as the seed says, found \"large\"");
-  EXPECT_EQ(world("[world]\nkind = \"scripted\"\nhand = { entity = \"h\" }\nobjects = [{ entity = \"h\", position = 1 }]\n"),
+  EXPECT_EQ(world("[world]\nkind = \"scripted\"\nhand = { entity = \"h\" }\nobjects = [{ entity = \"h\", "
+                  "position = 1 }]\n"),
             "scenario.toml:4:1: expected each entity once in the world, found 'h' twice");
 }
 
@@ -305,7 +335,8 @@ TEST(ScenarioErrors, RandomlyDamagedScenariosAreAnswered) {
   std::ifstream seed_file(kScenarios + "pick_and_place.replicode");
   const std::string seed{std::istreambuf_iterator<char>(seed_file), {}};
   ASSERT_TRUE(LoadScenarioFromFiles({{"scenario.toml", good}, {"seed.replicode", seed}}).ok());
-  const std::string_view pieces[] = {"[", "]", "[[", "{", "}", "=", "\"", "\n", "\"\"\"", ",", "nan", "-1", "1e400", "true", "(", "\xff", "[[[["};
+  const std::string_view pieces[] = {"[", "]",   "[[", "{",     "}",    "=", "\"",   "\n",  "\"\"\"",
+                                     ",", "nan", "-1", "1e400", "true", "(", "\xff", "[[[["};
   std::mt19937 random(7);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   int refused = 0;
@@ -314,12 +345,19 @@ TEST(ScenarioErrors, RandomlyDamagedScenariosAreAnswered) {
     for (std::size_t i = 0; i <= below(3); ++i) {
       const std::size_t at = below(text.size());
       switch (below(3)) {
-        case 0: text.erase(at, 1 + below(20)); break;
-        case 1: text.insert(at, pieces[below(std::size(pieces))]); break;
-        default: text[at] = static_cast<char>(random()); break;
+        case 0:
+          text.erase(at, 1 + below(20));
+          break;
+        case 1:
+          text.insert(at, pieces[below(std::size(pieces))]);
+          break;
+        default:
+          text[at] = static_cast<char>(random());
+          break;
       }
     }
-    const Result<Scenario> scenario = LoadScenarioFromFiles({{"scenario.toml", text}, {"seed.replicode", seed}});
+    const Result<Scenario> scenario =
+        LoadScenarioFromFiles({{"scenario.toml", text}, {"seed.replicode", seed}});
     if (scenario) continue;
     ++refused;
     EXPECT_THAT(scenario.error().message, StartsWith("scenario.toml:"));
@@ -335,10 +373,12 @@ TEST(ScenarioErrors, Files) {
   const std::string path = folder + "/s.toml";
   std::ofstream(path) << kHead << "[world]\nkind = \"mujoco\"\nmodel = \"no.xml\"\n";
 
-  EXPECT_EQ(LoadScenario(folder + "/none.toml").error().message, folder + "/none.toml: expected a scenario file, found no such file");
+  EXPECT_EQ(LoadScenario(folder + "/none.toml").error().message,
+            folder + "/none.toml: expected a scenario file, found no such file");
   EXPECT_EQ(LoadScenario(folder).error().message, folder + ": expected a scenario file, found a folder");
-  EXPECT_EQ(LoadScenario(path).error().message,
-            path + ":3:13: " + folder + "/seed.replicode: expected the seed of the scenario, found no such file");
+  EXPECT_EQ(
+      LoadScenario(path).error().message,
+      path + ":3:13: " + folder + "/seed.replicode: expected the seed of the scenario, found no such file");
 
   // When the seed is wrong, its own place is named
   std::ofstream(folder + "/seed.replicode") << "h:(ent 1\n";
@@ -346,9 +386,9 @@ TEST(ScenarioErrors, Files) {
             folder + "/seed.replicode:2:1: expected ')' to close (ent of line 1, found the end of the text");
 
   std::ofstream(folder + "/seed.replicode") << kSeed;
-  EXPECT_EQ(LoadScenario(path).error().message,
-            path + ":6:9: expected the MuJoCo model at " + folder + "/no.xml, found no file there; paths are relative to the "
-            "scenario file");
+  EXPECT_EQ(LoadScenario(path).error().message, path + ":6:9: expected the MuJoCo model at " + folder +
+                                                    "/no.xml, found no file there; paths are relative to the "
+                                                    "scenario file");
   std::filesystem::remove_all(folder);
 }
 

@@ -27,7 +27,8 @@ std::string ErrorOf(std::string_view text) {
 
 TEST(HostileInput, NestingEndsAtALimit) {
   EXPECT_EQ(ErrorOf(Repeated("(a ", 1'000'000)), "t:1:97: expected at most 32 expressions inside each other");
-  EXPECT_EQ(ErrorOf("x:(a " + Repeated("[", 1'000'000)), "t:1:37: expected at most 32 expressions inside each other");
+  EXPECT_EQ(ErrorOf("x:(a " + Repeated("[", 1'000'000)),
+            "t:1:37: expected at most 32 expressions inside each other");
   // Lists by indentation nest too.
   std::string indented = "x:(a []\n";
   for (int i = 1; i < 2000; ++i) indented += std::string(static_cast<std::size_t>(i), ' ') + "(b []\n";
@@ -35,8 +36,8 @@ TEST(HostileInput, NestingEndsAtALimit) {
 }
 
 TEST(HostileInput, NestingThatIsAllowedFitsIntoTerms) {
-  const std::string text = "h:(ent 1) position:(ont 1) (fact (mk.val h position " + Repeated("[", 28) + Repeated("]", 28) +
-                           " 1) 0s:0ms:0us GIGASEC 1 1)";
+  const std::string text = "h:(ent 1) position:(ont 1) (fact (mk.val h position " + Repeated("[", 28) +
+                           Repeated("]", 28) + " 1) 0s:0ms:0us GIGASEC 1 1)";
   EXPECT_EQ(ErrorOf(text), "");
 }
 
@@ -50,18 +51,24 @@ TEST(HostileInput, DefinitionsDoNotMultiplyTheText) {
 }
 
 TEST(HostileInput, TooLargeATextIsRefusedBeforeReading) {
-  EXPECT_EQ(ErrorOf(std::string(kMaxReplicodeBytes + 1, ' ')), "t: expected at most 16 MiB of Replicode, found 16 MiB");
+  EXPECT_EQ(ErrorOf(std::string(kMaxReplicodeBytes + 1, ' ')),
+            "t: expected at most 16 MiB of Replicode, found 16 MiB");
 }
 
 TEST(HostileInput, ManyConditionsAreRefused) {
-  const std::string text = "p:(ont 1)\nS:(cst [] []\n" + Repeated("   (fact (mk.val A: p B: :) T0: T1: : :)\n", 20'000) + "|[] |[])";
+  const std::string text = "p:(ont 1)\nS:(cst [] []\n" +
+                           Repeated("   (fact (mk.val A: p B: :) T0: T1: : :)\n", 20'000) + "|[] |[])";
   EXPECT_EQ(ErrorOf(text), "t:2:11: expected 1 to 64 conditions in a composite state, found 20000");
 }
 
 TEST(HostileInput, NumbersOutOfRange) {
-  for (const char* number : {"1e999", "99999999999999999999s", "9223372036854775806us", "1s:1ms", "1s:1ms:1us:1us", "0x10", "--5",
-                             "1s:99999999999999999ms:0us", "-", "1e", "5.5.5"}) {
-    EXPECT_NE(ErrorOf("h:(ent 1) p:(ont 1) (fact (mk.val h p " + std::string(number) + " 1) 0s:0ms:0us GIGASEC 1 1)"), "") << number;
+  for (const char* number :
+       {"1e999", "99999999999999999999s", "9223372036854775806us", "1s:1ms", "1s:1ms:1us:1us", "0x10", "--5",
+        "1s:99999999999999999ms:0us", "-", "1e", "5.5.5"}) {
+    EXPECT_NE(ErrorOf("h:(ent 1) p:(ont 1) (fact (mk.val h p " + std::string(number) +
+                      " 1) 0s:0ms:0us GIGASEC 1 1)"),
+              "")
+        << number;
   }
 }
 
@@ -106,8 +113,10 @@ R:(mdl [] []
 [stdin] 0 1 1 1 1) |[]
 )";
   ASSERT_EQ(ErrorOf(kSeed), "");
-  const std::string_view pieces[] = {"(", ")", "[", "]", "|[]", "[]\n   ", ":", "::", "\"", ";", "\n", " ", "H:", "x:(", "0s:1ms:2us",
-                                     "-", "9", "(fact", "(ti", "!def ", "\0", "\xff", "S", "GIGASEC", "true", "(+ ", "|"};
+  const std::string_view pieces[] = {"(",          ")",  "[",       "]",     "|[]", "[]\n   ", ":",
+                                     "::",         "\"", ";",       "\n",    " ",   "H:",      "x:(",
+                                     "0s:1ms:2us", "-",  "9",       "(fact", "(ti", "!def ",   "\0",
+                                     "\xff",       "S",  "GIGASEC", "true",  "(+ ", "|"};
   std::mt19937 random(20240607);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   int read = 0;
@@ -117,10 +126,18 @@ R:(mdl [] []
     for (std::size_t i = 0; i < damages; ++i) {
       const std::size_t at = below(text.size());
       switch (below(4)) {
-        case 0: text.erase(at, 1 + below(12)); break;
-        case 1: text.insert(at, pieces[below(std::size(pieces))]); break;
-        case 2: text[at] = static_cast<char>(random()); break;
-        default: text.insert(at, text.substr(below(text.size()), below(40))); break;
+        case 0:
+          text.erase(at, 1 + below(12));
+          break;
+        case 1:
+          text.insert(at, pieces[below(std::size(pieces))]);
+          break;
+        case 2:
+          text[at] = static_cast<char>(random());
+          break;
+        default:
+          text.insert(at, text.substr(below(text.size()), below(40)));
+          break;
       }
     }
     for (const bool foreign : {false, true}) {

@@ -80,7 +80,9 @@ f2:(|fact (mk.val c essence hand 1) 0s:100ms:5us 2s:0ms:0us 0.5 1) []
 )");
   ASSERT_EQ(seed.facts.size(), 2u);
   EXPECT_EQ(seed.facts[0].label, "");
-  EXPECT_EQ(seed.facts[0].fact, (Fact{true, MakeValue(Term::Entity("h"), Term::Ontology("essence"), Term::Ontology("hand")), kAlways, 1}));
+  EXPECT_EQ(seed.facts[0].fact,
+            (Fact{true, MakeValue(Term::Entity("h"), Term::Ontology("essence"), Term::Ontology("hand")),
+                  kAlways, 1}));
   EXPECT_EQ(seed.facts[1].label, "f2");
   EXPECT_FALSE(seed.facts[1].fact.positive);
   EXPECT_EQ(seed.facts[1].fact.interval, (TimeInterval{{100'005}, {2'000'000}}));
@@ -94,7 +96,8 @@ TEST(Reader, ValuesOfAllKinds) {
 (fact (mk.val h position 5s 1) 0s:0ms:0us GIGASEC 1 1) |[]
 (fact (mk.val h position -1s:500ms:0us 1) 0s:0ms:0us GIGASEC 1 1) |[]
 (fact (mk.val h position sampling_period 1) 0s:0ms:0us GIGASEC 1 1) |[]
-)", {Milliseconds(40), {}, false});
+)",
+                                  {Milliseconds(40), {}, false});
   ASSERT_EQ(seed.facts.size(), 5u);
   const auto value = [&](std::size_t i) { return seed.facts[i].fact.payload[2]; };
   EXPECT_EQ(value(0), Term::Struct("vec3", {Term::Number(-2.5), Term::Number(0), Term::Number(1e-5)}));
@@ -196,7 +199,8 @@ S:(cst [P:] []
 |[] |[] [stdin] 1) |[]
 (fact (icst S [5] [h] true 1) 0s:0ms:0us GIGASEC 1 1) |[]
 )");
-  EXPECT_EQ(seed.facts.at(0).fact.payload, MakeIcst(CompositeStateId{1}, {}, {Term::Number(5), Term::Entity("h")}));
+  EXPECT_EQ(seed.facts.at(0).fact.payload,
+            MakeIcst(CompositeStateId{1}, {}, {Term::Number(5), Term::Entity("h")}));
 }
 
 TEST(Reader, GuardsMayUseTheOpcodeNamesOfDumps) {
@@ -244,12 +248,14 @@ TEST(Reader, AnotherAgentsTextIsReadForItsKnowledge) {
 9(21) fact_9:(fact pred1 0s:20ms:0us 0s:100ms:0us 1 1) |[]
 10(22) bad:(mk.val nobody position 1 1) |[]
 > 5 objects
-)", {Milliseconds(100), {}, true});
+)",
+                                  {Milliseconds(100), {}, true});
   EXPECT_EQ(seed.facts.size(), 1u);
   EXPECT_THAT(seed.passed_over, UnorderedElementsAre(Pair("grp", 1), Pair("pgm", 1), Pair("pred", 1),
                                                      Pair("fact about what was passed over", 1)));
-  EXPECT_THAT(seed.problems, ElementsAre("test.replicode:22:20: expected a declared name, found 'nobody', which is not "
-                                         "declared above"));
+  EXPECT_THAT(seed.problems,
+              ElementsAre("test.replicode:22:20: expected a declared name, found 'nobody', which is not "
+                          "declared above"));
 }
 
 TEST(Reader, APayloadOfItsOwn) {
@@ -259,7 +265,8 @@ TEST(Reader, APayloadOfItsOwn) {
   ASSERT_TRUE(payload.ok()) << payload.error().message;
   EXPECT_EQ(ToText(*payload), "(mk.val h holding [c])");
   EXPECT_EQ(ReadPayload("(mk.val h holdin [c])", {"scenario.toml", 7, 9}, options).error().message,
-            "scenario.toml:7:19: expected a declared name, found 'holdin', which is not declared above; did you mean "
+            "scenario.toml:7:19: expected a declared name, found 'holdin', which is not declared above; did "
+            "you mean "
             "'holding'?");
   EXPECT_EQ(ReadPayload("(cmd move [h]) h", {"scenario.toml", 7, 9}, options).error().message,
             "scenario.toml:7:24: expected nothing after the expression, found 'h'");
@@ -269,16 +276,18 @@ TEST(ReaderErrors, SyntaxIsReportedWhereItIsWrong) {
   EXPECT_EQ(ErrorOf("h2:(ent 1"), "t:1:10: expected ')' to close (ent of line 1, found the end of the text");
   EXPECT_EQ(ErrorOf("h2:(ent 1]"), "t:1:10: expected ')' to close (ent of line 1, found ']'");
   EXPECT_EQ(ErrorOf("S:(cst [] [1 2) |[]"), "t:1:15: expected ']' to close the list of line 1, found ')'");
-  EXPECT_EQ(ErrorOf("(fact (mk.val h position 5 1)\n   0s:0ms:0us 10x 1 1)"),
-            "t:2:15: expected a number, a duration such as 100ms or a time such as 0s:100ms:0us, found '10x'");
+  EXPECT_EQ(
+      ErrorOf("(fact (mk.val h position 5 1)\n   0s:0ms:0us 10x 1 1)"),
+      "t:2:15: expected a number, a duration such as 100ms or a time such as 0s:100ms:0us, found '10x'");
   EXPECT_EQ(ErrorOf("  %"), "t:1:3: unexpected character '%'");
   EXPECT_EQ(ErrorOf("\x01"), "t:1:1: unexpected character '\\x01'");
   EXPECT_EQ(ErrorOf("5"), "t:1:1: expected an object such as name:(ent 1), found '5'");
   EXPECT_EQ(ErrorOf("x:[1]"), "t:1:1: expected an object in parentheses after the label 'x:'");
   EXPECT_EQ(ErrorOf("(fact (mk.val h position \"abc 1)\n 0s:0ms:0us GIGASEC)"),
             "t:1:26: expected a closing '\"' on the same line as the text begins");
-  EXPECT_EQ(ErrorOf("(fact (mk.val h position \"a\\q\" 1) 0s:0ms:0us GIGASEC)"),
-            "t:1:28: expected \\\", \\\\, \\n, \\t or \\x and two hexadecimal digits after a backslash in a text");
+  EXPECT_EQ(
+      ErrorOf("(fact (mk.val h position \"a\\q\" 1) 0s:0ms:0us GIGASEC)"),
+      "t:1:28: expected \\\", \\\\, \\n, \\t or \\x and two hexadecimal digits after a backslash in a text");
   EXPECT_EQ(ErrorOf("x:(ent 1) |[1]"),
             "t:1:11: expected ']' after '|[', which is the empty list; a list with elements has no bar");
   EXPECT_EQ(ErrorOf("(5)"), "t:1:2: expected the name of a class or operator after '(', found '5'");
@@ -289,17 +298,22 @@ TEST(ReaderErrors, SyntaxIsReportedWhereItIsWrong) {
 
 TEST(ReaderErrors, UnknownWordsComeWithASuggestion) {
   EXPECT_EQ(ErrorOf("(fact (mk.val h posision 5 1) 0s:0ms:0us GIGASEC 1 1) |[]"),
-            "t:1:17: expected a declared name, found 'posision', which is not declared above; did you mean 'position'?");
+            "t:1:17: expected a declared name, found 'posision', which is not declared above; did you mean "
+            "'position'?");
   EXPECT_EQ(ErrorOf("(fact (mk.vel h position 5 1) 0s:0ms:0us GIGASEC 1 1) |[]"),
-            "t:1:7: expected (mk.val ...), (cmd ...), (icst ...) or (imdl ...), found (mk.vel ...); did you mean 'mk.val'?");
+            "t:1:7: expected (mk.val ...), (cmd ...), (icst ...) or (imdl ...), found (mk.vel ...); did you "
+            "mean 'mk.val'?");
   EXPECT_EQ(ErrorOf("p:(pgm [] [])"),
-            "t:1:1: expected one of ent, ont, fact, |fact, mk.val, cst, mdl, found (pgm ...); programs, commands and drives "
+            "t:1:1: expected one of ent, ont, fact, |fact, mk.val, cst, mdl, found (pgm ...); programs, "
+            "commands and drives "
             "belong into the scenario file");
   EXPECT_EQ(ErrorOf("p:(mdel [] [])"),
-            "t:1:1: expected one of ent, ont, fact, |fact, mk.val, cst, mdl, found (mdel ...); programs, commands and drives "
+            "t:1:1: expected one of ent, ont, fact, |fact, mk.val, cst, mdl, found (mdel ...); programs, "
+            "commands and drives "
             "belong into the scenario file; did you mean 'mdl'?");
   EXPECT_EQ(ErrorOf("(fact (mk.val h position (vec4 1 2 3 4) 1) 0s:0ms:0us GIGASEC 1 1)"),
-            "t:1:26: expected a value, found (vec4 ...); structured values are vec2, vec3, ti; did you mean 'vec2'?");
+            "t:1:26: expected a value, found (vec4 ...); structured values are vec2, vec3, ti; did you mean "
+            "'vec2'?");
   EXPECT_EQ(ErrorOf("m:(mdl [] []\n   (fact (icst S9 [] [] : :) T0: T1: : :)\n   (fact run T0: T1: ::)\n)"),
             "t:2:16: expected the label of a composite state declared above, found 'S9'");
 }
@@ -321,18 +335,22 @@ TEST(ReaderErrors, FieldsOfTheWrongKind) {
             "t:1:42: expected an end after the start 2s, found 1s");
   EXPECT_EQ(ErrorOf("(fact (mk.val h position 5 1) 0s:0ms:0us GIGASEC 2 1)"),
             "t:1:50: expected a confidence from 0 to 1, found 2");
-  EXPECT_EQ(ErrorOf("h:(ent 1)\nh:(ont 1)"), "t:1:1: expected a new label, found 'h', which is declared already");
-  EXPECT_EQ(ErrorOf("k:(ent 1)\nk:(ont 1)"), "t:2:1: expected a new label, found 'k', which is declared already in line 1");
+  EXPECT_EQ(ErrorOf("h:(ent 1)\nh:(ont 1)"),
+            "t:1:1: expected a new label, found 'h', which is declared already");
+  EXPECT_EQ(ErrorOf("k:(ent 1)\nk:(ont 1)"),
+            "t:2:1: expected a new label, found 'k', which is declared already in line 1");
   EXPECT_EQ(ErrorOf("nil:(ent 1)"), "t:1:1: expected a label, found 'nil', which is a word of the language");
   EXPECT_EQ(ErrorOf("(ent 1)"), "t:1:1: expected a label in front, such as h:(ent 1), found none");
 }
 
 TEST(ReaderErrors, CompositeStatesAndModels) {
-  EXPECT_EQ(ErrorOf("S:(cst [] []\n   (fact (cmd move [H:] :) T0: T1: : :)\n|[])"),
-            "t:2:4: expected (mk.val ...) or (icst ...) as a condition of a composite state, found (cmd ...)");
+  EXPECT_EQ(
+      ErrorOf("S:(cst [] []\n   (fact (cmd move [H:] :) T0: T1: : :)\n|[])"),
+      "t:2:4: expected (mk.val ...) or (icst ...) as a condition of a composite state, found (cmd ...)");
   EXPECT_EQ(ErrorOf("S:(cst [] []\n   (fact (mk.val H: essence hand :) T0: T1: : :)\n"
                     "   (fact (mk.val H: position P: :) T2: T3: : :)\n|[])"),
-            "t:3:4: expected the interval of the first condition (T0: T1:), which all conditions of a composite state share");
+            "t:3:4: expected the interval of the first condition (T0: T1:), which all conditions of a "
+            "composite state share");
   EXPECT_EQ(ErrorOf("S:(cst [] |[])"), "t:1:11: expected 1 to 64 conditions in a composite state, found 0");
   EXPECT_EQ(ErrorOf("m:(mdl [] []\n   (fact (mk.val H: essence hand :) T0: T1: : :)\n|[])"),
             "t:1:11: expected two facts, the left and the right side of the model, found 1");
@@ -342,8 +360,9 @@ TEST(ReaderErrors, CompositeStatesAndModels) {
             "t:8:19: expected 2 arguments for S0 (H P), found 1");
   EXPECT_EQ(ErrorOf(std::string(kMove) + "(fact (imdl m_move [] [h] : :) 0s:0ms:0us GIGASEC 1 1)"),
             "t:14:20: expected 3 template arguments for m_move, found 0");
-  const std::string guarded = "m:(mdl [] []\n   (fact (cmd move [H: D:] :) T0: T1: : :)\n"
-                              "   (fact (mk.val H: position P: :) T2: T3: : :)\n[]\n   ";
+  const std::string guarded =
+      "m:(mdl [] []\n   (fact (cmd move [H: D:] :) T0: T1: : :)\n"
+      "   (fact (mk.val H: position P: :) T2: T3: : :)\n[]\n   ";
   EXPECT_EQ(ErrorOf(guarded + "(+ P D)\n|[])"),
             "t:5:4: expected an assignment such as P1:(+ P0 D) or a test such as (<> P1 P0), found (+ ...)");
   EXPECT_EQ(ErrorOf(guarded + "P:(max P D)\n|[])"), "t:5:4: expected +, -, *, / or a value, found (max ...)");
@@ -353,9 +372,10 @@ TEST(ReaderErrors, CompositeStatesAndModels) {
 }
 
 TEST(ReaderErrors, NothingIsReadBeforeItIsDeclared) {
-  EXPECT_EQ(ErrorOf("m:(mdl [] []\n   (fact (icst S0 [] [H: P:] : :) T0: T1: : :)\n   (fact run T0: T1: ::)\n)\n" +
-                    std::string(kHandAt)),
-            "t:2:16: expected the label of a composite state declared above, found 'S0'");
+  EXPECT_EQ(
+      ErrorOf("m:(mdl [] []\n   (fact (icst S0 [] [H: P:] : :) T0: T1: : :)\n   (fact run T0: T1: ::)\n)\n" +
+              std::string(kHandAt)),
+      "t:2:16: expected the label of a composite state declared above, found 'S0'");
 }
 
 TEST(Reader, ThePickAndPlaceSeed) {
@@ -367,7 +387,8 @@ TEST(Reader, ThePickAndPlaceSeed) {
   EXPECT_EQ(seed->facts.size(), 11u);
   EXPECT_EQ(seed->composite_states.size(), 3u);
   EXPECT_THAT(seed->problems, IsEmpty());
-  for (const SeedModel& model : seed->models) EXPECT_EQ(KindOf(model.model), ModelKind::kDrive) << model.label;
+  for (const SeedModel& model : seed->models)
+    EXPECT_EQ(KindOf(model.model), ModelKind::kDrive) << model.label;
   EXPECT_NE(FindModel(*seed, "drive_hold_cyl"), nullptr);
 }
 

@@ -1,4 +1,5 @@
-// What is written is read back to the same content: the same canonical hashes, whatever the numbering and the names.
+// What is written is read back to the same content: the same canonical hashes, whatever the numbering and the
+// names.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -19,7 +20,8 @@ KnowledgeBase BaseOf(const SeedKnowledge& seed) {
   KnowledgeBase knowledge;
   for (const Term& symbol : seed.symbols) knowledge.AddSymbol(symbol);
   std::int64_t id = 1'000'000;
-  for (const SeedFact& fact : seed.facts) knowledge.AddFact({FactId{++id}, fact.fact, FactSource::kProperty, {}});
+  for (const SeedFact& fact : seed.facts)
+    knowledge.AddFact({FactId{++id}, fact.fact, FactSource::kProperty, {}});
   for (const SeedCompositeState& item : seed.composite_states) {
     CompositeStateRecord record;
     record.state = item.state;
@@ -39,7 +41,8 @@ KnowledgeBase BaseOf(const SeedKnowledge& seed) {
 std::vector<std::string> Content(const SeedKnowledge& seed) {
   const KnowledgeBase knowledge = BaseOf(seed);
   std::vector<std::string> lines;
-  for (const auto& [id, record] : knowledge.composite_states()) lines.push_back("cst " + ToText(record.canonical.hash));
+  for (const auto& [id, record] : knowledge.composite_states())
+    lines.push_back("cst " + ToText(record.canonical.hash));
   for (const auto& [id, record] : knowledge.models()) {
     lines.push_back("mdl " + ToText(record.canonical.hash) + (record.strong ? " strong " : " ") +
                     std::to_string(record.evidence.total) + " " + std::to_string(record.evidence.rate()));
@@ -57,10 +60,12 @@ const Term kHolding = Term::Ontology("holding");
 const Term kSize = Term::Ontology("size");
 const Term kMove = Term::Ontology("move");
 
-Term V(int i) { return Term::Variable(i); }
+Term V(int i) {
+  return Term::Variable(i);
+}
 
-// Composite states over a handful of attributes, causal models and requirements over those, all with variables numbered
-// in any order and called by any names.
+// Composite states over a handful of attributes, causal models and requirements over those, all with
+// variables numbered in any order and called by any names.
 class RandomSeed {
  public:
   SeedKnowledge Make() {
@@ -92,18 +97,25 @@ class RandomSeed {
   static std::vector<std::string> Names(int count) {
     std::vector<std::string> names;
     for (int i = 0; i < count; ++i) {
-      names.push_back(*rc::gen::element<std::string>("H", "P", "h", "c1", "T0", "", "nil", "v2", "a b", "cst_1"));
+      names.push_back(
+          *rc::gen::element<std::string>("H", "P", "h", "c1", "T0", "", "nil", "v2", "a b", "cst_1"));
     }
     return names;
   }
   static Term ValueTerm(const std::vector<int>& v) {
     switch (*rc::gen::inRange(0, 6)) {
-      case 0: return V(v[2]);
-      case 1: return Term::Set({V(v[3])});
-      case 2: return Term::Set({});
-      case 3: return Term::Struct("vec2", {V(v[4]), Term::Number(*rc::gen::arbitrary<int>() / 7.0)});
-      case 4: return Term::String(*rc::gen::arbitrary<std::string>());
-      default: return Term::Ontology("large");
+      case 0:
+        return V(v[2]);
+      case 1:
+        return Term::Set({V(v[3])});
+      case 2:
+        return Term::Set({});
+      case 3:
+        return Term::Struct("vec2", {V(v[4]), Term::Number(*rc::gen::arbitrary<int>() / 7.0)});
+      case 4:
+        return Term::String(*rc::gen::arbitrary<std::string>());
+      default:
+        return Term::Ontology("large");
     }
   }
 
@@ -112,7 +124,8 @@ class RandomSeed {
     CompositeState state;
     const int count = *rc::gen::inRange(1, 4);
     for (int i = 0; i < count; ++i) {
-      Term payload = MakeValue(V(v[*rc::gen::inRange<std::size_t>(0, 2)]), *rc::gen::element(kPosition, kHolding, kSize), ValueTerm(v));
+      Term payload = MakeValue(V(v[*rc::gen::inRange<std::size_t>(0, 2)]),
+                               *rc::gen::element(kPosition, kHolding, kSize), ValueTerm(v));
       if (!seed_.composite_states.empty() && *rc::gen::inRange(0, 3) == 0) {
         const CompositeState& inner = (*rc::gen::elementOf(seed_.composite_states)).state;
         std::vector<Term> arguments;
@@ -121,7 +134,8 @@ class RandomSeed {
       }
       state.components.push_back({*rc::gen::inRange(0, 4) > 0, std::move(payload), V(v[6]), V(v[7])});
     }
-    if (*rc::gen::arbitrary<bool>()) state.guards.push_back({std::nullopt, Term::Struct("<>", {V(v[0]), Term::Nil()})});
+    if (*rc::gen::arbitrary<bool>())
+      state.guards.push_back({std::nullopt, Term::Struct("<>", {V(v[0]), Term::Nil()})});
     state.id = {NextId()};
     state.variable_names = Names(8);
     seed_.composite_states.push_back({"", std::move(state)});
@@ -133,13 +147,19 @@ class RandomSeed {
     model.template_arguments = {V(v[0]), Term::Struct("ti", {V(v[1]), V(v[2])})};
     model.lhs = {true, MakeCommand(kMove, {V(v[3]), V(v[4])}), V(v[5]), V(v[6])};
     model.rhs = {true, MakeValue(V(v[3]), kPosition, V(v[7])), V(v[8]), V(v[9])};
-    model.forward = {{v[7], Term::Struct("+", {V(v[0]), Term::Struct("*", {V(v[4]), Term::Number(*rc::gen::inRange(1, 9) / 3.0)})})},
-                     {v[8], Term::Struct("+", {V(v[1]), Term::Span({*rc::gen::inRange(-100'000, 2'000'000)})})}};
-    model.backward = {{std::nullopt, Term::Struct("<>", {V(v[7]), V(v[0])})}, {v[4], Term::Struct("-", {V(v[7]), V(v[0])})}};
+    model.forward = {
+        {v[7],
+         Term::Struct("+",
+                      {V(v[0]), Term::Struct("*", {V(v[4]), Term::Number(*rc::gen::inRange(1, 9) / 3.0)})})},
+        {v[8], Term::Struct("+", {V(v[1]), Term::Span({*rc::gen::inRange(-100'000, 2'000'000)})})}};
+    model.backward = {{std::nullopt, Term::Struct("<>", {V(v[7]), V(v[0])})},
+                      {v[4], Term::Struct("-", {V(v[7]), V(v[0])})}};
     model.id = {NextId()};
     model.variable_names = Names(11);
     const double total = *rc::gen::inRange(1, 9);
-    seed_.models.push_back({"", std::move(model), {static_cast<double>(*rc::gen::inRange(0, static_cast<int>(total) + 1)), total},
+    seed_.models.push_back({"",
+                            std::move(model),
+                            {static_cast<double>(*rc::gen::inRange(0, static_cast<int>(total) + 1)), total},
                             *rc::gen::arbitrary<bool>()});
   }
 
@@ -154,7 +174,8 @@ class RandomSeed {
     Model model;
     model.lhs = {true, MakeIcst(state.id, {}, std::move(arguments)), V(v[8]), V(v[9])};
     model.rhs = {*rc::gen::arbitrary<bool>(),
-                 MakeImdl(target.id, {V(v[0]), Term::Struct("ti", {V(v[8]), V(v[9])})}, std::move(exposed)), V(v[8]), V(v[9])};
+                 MakeImdl(target.id, {V(v[0]), Term::Struct("ti", {V(v[8]), V(v[9])})}, std::move(exposed)),
+                 V(v[8]), V(v[9])};
     model.id = {NextId()};
     model.variable_names = Names(10);
     if (KindOf(model) == ModelKind::kCausal) return;
@@ -162,10 +183,13 @@ class RandomSeed {
   }
 
   void AddFact() {
-    const TimeInterval interval{{*rc::gen::inRange(-5, 5)}, *rc::gen::arbitrary<bool>() ? kForever : Time{*rc::gen::inRange(5, 9'000'000)}};
-    seed_.facts.push_back({"", {*rc::gen::arbitrary<bool>(),
-                                MakeValue(kHand, kPosition, Term::Number(*rc::gen::arbitrary<double>())), interval,
-                                *rc::gen::inRange(0, 9) / 8.0}});
+    const TimeInterval interval{
+        {*rc::gen::inRange(-5, 5)},
+        *rc::gen::arbitrary<bool>() ? kForever : Time{*rc::gen::inRange(5, 9'000'000)}};
+    seed_.facts.push_back({"",
+                           {*rc::gen::arbitrary<bool>(),
+                            MakeValue(kHand, kPosition, Term::Number(*rc::gen::arbitrary<double>())),
+                            interval, *rc::gen::inRange(0, 9) / 8.0}});
   }
 
   SeedKnowledge seed_;
@@ -191,7 +215,8 @@ TEST(RoundTrip, TheTextIsTheLanguageOfSeeds) {
   SeedKnowledge seed;
   seed.symbols = {kHand, kPosition, kHolding, kMove};
   CompositeState state{CompositeStateId{12},
-                       {{true, MakeValue(V(3), kPosition, V(0)), V(1), V(2)}, {false, MakeValue(V(3), kHolding, Term::Set({})), V(1), V(2)}},
+                       {{true, MakeValue(V(3), kPosition, V(0)), V(1), V(2)},
+                        {false, MakeValue(V(3), kHolding, Term::Set({})), V(1), V(2)}},
                        {},
                        {"P", "T0", "T1", "H"}};
   Model model;
@@ -199,7 +224,8 @@ TEST(RoundTrip, TheTextIsTheLanguageOfSeeds) {
   model.template_arguments = {V(0)};
   model.lhs = {true, MakeCommand(kMove, {V(1), V(2)}), V(3), V(4)};
   model.rhs = {true, MakeValue(V(1), kPosition, V(5)), V(6), V(7)};
-  model.forward = {{5, Term::Struct("+", {V(0), V(2)})}, {6, Term::Struct("+", {V(3), Term::Span(Milliseconds(80))})}};
+  model.forward = {{5, Term::Struct("+", {V(0), V(2)})},
+                   {6, Term::Struct("+", {V(3), Term::Span(Milliseconds(80))})}};
   Model requirement;
   requirement.id = {15};
   requirement.lhs = {true, MakeIcst(state.id, {}, {V(1), V(0)}), V(2), V(3)};  // P, H
@@ -207,7 +233,8 @@ TEST(RoundTrip, TheTextIsTheLanguageOfSeeds) {
   seed.composite_states.push_back({"cst_12", state});
   seed.models.push_back({"mdl_14", model, {3, 4}, false});
   seed.models.push_back({"mdl_15", requirement, {1, 1}, true});
-  seed.facts.push_back({"at", {true, MakeValue(kHand, kPosition, Term::Number(2.5)), {Time{0}, Time{100'000}}, 1}});
+  seed.facts.push_back(
+      {"at", {true, MakeValue(kHand, kPosition, Term::Number(2.5)), {Time{0}, Time{100'000}}, 1}});
 
   // Then it reads like a seed written by hand; the argument list follows the order in which variables appear
   EXPECT_EQ(*WriteReplicode(seed), R"(h:(ent 1) |[]
@@ -269,17 +296,21 @@ TEST(RoundTrip, WhatHasNoFormInReplicodeIsRefused) {
 
 TEST(RoundTrip, DanglingAndCircularReferencesAreRefused) {
   SeedKnowledge seed;
-  CompositeState state{CompositeStateId{1}, {{true, MakeIcst(CompositeStateId{7}, {}, {}), V(0), V(1)}}, {}, {}};
+  CompositeState state{
+      CompositeStateId{1}, {{true, MakeIcst(CompositeStateId{7}, {}, {}), V(0), V(1)}}, {}, {}};
   seed.composite_states = {{"S1", state}};
   EXPECT_EQ(WriteReplicode(seed).error().message,
             "expected composite state 7, to which S1 refers, found nothing with this number");
-  CompositeState other{CompositeStateId{7}, {{true, MakeIcst(CompositeStateId{1}, {}, {}), V(0), V(1)}}, {}, {}};
+  CompositeState other{
+      CompositeStateId{7}, {{true, MakeIcst(CompositeStateId{1}, {}, {}), V(0), V(1)}}, {}, {}};
   seed.composite_states.push_back({"S7", other});
-  EXPECT_EQ(WriteReplicode(seed).error().message, "expected knowledge without circles, found that S1 refers to itself");
+  EXPECT_EQ(WriteReplicode(seed).error().message,
+            "expected knowledge without circles, found that S1 refers to itself");
 }
 
 TEST(RoundTrip, APayload) {
-  EXPECT_EQ(*WritePayload(MakeValue(kHand, kHolding, Term::Set({Term::Entity("c1")}))), "(mk.val h holding [c1] 1)");
+  EXPECT_EQ(*WritePayload(MakeValue(kHand, kHolding, Term::Set({Term::Entity("c1")}))),
+            "(mk.val h holding [c1] 1)");
   EXPECT_EQ(*WritePayload(MakeIcst(CompositeStateId{3}, {}, {kHand})), "(icst cst_3 [] [h] true 1)");
 }
 
