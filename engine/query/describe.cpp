@@ -375,8 +375,19 @@ std::string PayloadWords(const KnowledgeBase& knowledge, const Term& payload, co
       for (std::size_t i = 0; i < arguments.size(); ++i) {
         if (arguments[i].is(TermKind::kVariable)) borrowed[static_cast<std::size_t>(arguments[i].variable())] = own[i];
       }
+      // A wildcard is a variable nobody named: it gets a number of its own behind those there are.
+      std::vector<Term> named;
+      for (const int variable : ArgumentVariables(record->state)) {
+        const Term& argument = arguments[static_cast<std::size_t>(variable)];
+        const bool open = argument.is(TermKind::kWildcard);
+        named.push_back(open ? Term::Variable(static_cast<int>(borrowed.size())) : argument);
+        if (open) borrowed.push_back(own[static_cast<std::size_t>(variable)]);
+      }
+      count = borrowed.size();
+      if (count == 0) return InWords(ClausesOf(knowledge, payload, names, writing));
       FillNames(std::vector<RoleOfVariable>(count), AllVariables(count), &borrowed);
-      return PayloadWords(knowledge, payload, borrowed, writing);
+      const Term instance = MakeIcst(record->state.id, {}, std::move(named));
+      return PayloadWords(knowledge, instance, borrowed, writing);
     }
   }
   return InWords(ClausesOf(knowledge, payload, names, writing));
