@@ -1,8 +1,8 @@
 // Typed identifiers: a number that says what it numbers, so that swapped ids do not compile.
 //
 // All objects of one episode (facts, goals, predictions, composite states, models, simulations) share one
-// numbering, counted from 1 in order of creation; `cst_12` and `mdl_12` never both exist. Events have their own
-// numbering, the position in the log, also from 1. Zero means "none".
+// numbering, counted from 1 in order of creation; `cst_12` and `mdl_12` never both exist. Events have their
+// own numbering, the position in the log, also from 1. Zero means "none".
 #pragma once
 
 #include <compare>

@@ -1,5 +1,5 @@
-// Result<T>: a value, or one sentence that says what went wrong. The only way outside trouble (files, input, GPU)
-// travels between modules; exceptions do not cross a module border.
+// Result<T>: a value, or one sentence that says what went wrong. The only way outside trouble (files, input,
+// GPU) travels between modules; exceptions do not cross a module border.
 #pragma once
 
 #include <cassert>
@@ -18,8 +18,8 @@ struct Error {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : content_(std::move(value)) {}          // NOLINT: a value is a result
-  Result(Error error) : content_(std::move(error)) {}      // NOLINT: so is an error
+  Result(T value) : content_(std::move(value)) {}      // NOLINT: a value is a result
+  Result(Error error) : content_(std::move(error)) {}  // NOLINT: so is an error
 
   bool ok() const { return std::holds_alternative<T>(content_); }
   explicit operator bool() const { return ok(); }
@@ -55,7 +55,9 @@ class [[nodiscard]] Status {
   std::optional<Error> error_;
 };
 
-inline Status Ok() { return {}; }
+inline Status Ok() {
+  return {};
+}
 
 // Where in a text file something is; line and column count from 1, the column in bytes.
 struct SourceLocation {

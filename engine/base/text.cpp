@@ -65,7 +65,8 @@ bool Disturbing(std::uint32_t code_point) {
 }  // namespace
 
 double RoundNumber(double value) {
-  if (std::isnan(value)) return std::numeric_limits<double>::quiet_NaN();  // one NaN, so that equal means equal bits
+  if (std::isnan(value))
+    return std::numeric_limits<double>::quiet_NaN();  // one NaN, so that equal means equal bits
   if (std::isinf(value)) return value;
   if (value == 0) return 0;  // never -0
   const std::string text = FormatNumber(value, kTermDigits);
@@ -83,7 +84,8 @@ std::string FormatNumber(double value, int digits) {
 void AppendNumber(double value, int digits, std::string* text) {
   if (AppendSpecialNumber(value, text)) return;
   char buffer[64];
-  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits);
+  const auto [end, error] =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits);
   text->append(buffer, error == std::errc() ? static_cast<std::size_t>(end - buffer) : 0);
 }
 

@@ -16,7 +16,8 @@ std::string FormatNumber(double value, int digits = 9);
 
 // The same into an existing text.
 void AppendNumber(double value, int digits, std::string* text);
-// The shortest digits that are read back as exactly this number; "nan", "inf", "-inf" spelled so, "-0" is "0".
+// The shortest digits that are read back as exactly this number; "nan", "inf", "-inf" spelled so, "-0" is
+// "0".
 void AppendExactNumber(double value, std::string* text);
 void AppendInteger(std::int64_t value, std::string* text);
 
@@ -25,8 +26,8 @@ std::string FormatConfidence(double value);
 
 std::string Join(const std::vector<std::string>& parts, std::string_view separator);
 
-// Text as it is safe on one terminal line: control characters, invalid UTF-8 and bidirectional overrides become
-// \xNN or \u{NNNN}; nothing else changes.
+// Text as it is safe on one terminal line: control characters, invalid UTF-8 and bidirectional overrides
+// become \xNN or \u{NNNN}; nothing else changes.
 std::string Printable(std::string_view text);
 
 // The known word most like `word` (edit distance at most 2 and less than half its length), or "".

@@ -8,7 +8,8 @@ namespace {
 
 std::string SecondsText(std::int64_t us) {
   std::string sign = us < 0 ? "-" : "";
-  const std::uint64_t magnitude = us < 0 ? 0 - static_cast<std::uint64_t>(us) : static_cast<std::uint64_t>(us);
+  const std::uint64_t magnitude =
+      us < 0 ? 0 - static_cast<std::uint64_t>(us) : static_cast<std::uint64_t>(us);
   std::string text = sign + std::to_string(magnitude / 1'000'000);
   std::uint64_t fraction = magnitude % 1'000'000;
   if (fraction != 0) {
@@ -40,9 +41,13 @@ std::optional<std::int64_t> ParseMicroseconds(std::string_view text) {
 
 }  // namespace
 
-std::string ToText(Time time) { return time >= kForever ? "forever" : SecondsText(time.us); }
+std::string ToText(Time time) {
+  return time >= kForever ? "forever" : SecondsText(time.us);
+}
 
-std::string ToText(Duration duration) { return SecondsText(duration.us); }
+std::string ToText(Duration duration) {
+  return SecondsText(duration.us);
+}
 
 std::string ToText(TimeInterval interval) {
   return "[" + ToText(interval.after) + ", " + ToText(interval.before) + ")";

@@ -23,15 +23,31 @@ struct Time {
   constexpr auto operator<=>(const Time&) const = default;
 };
 
-constexpr Time operator+(Time t, Duration d) { return {t.us + d.us}; }
-constexpr Time operator-(Time t, Duration d) { return {t.us - d.us}; }
-constexpr Duration operator-(Time a, Time b) { return {a.us - b.us}; }
-constexpr Duration operator+(Duration a, Duration b) { return {a.us + b.us}; }
-constexpr Duration operator-(Duration a, Duration b) { return {a.us - b.us}; }
-constexpr Duration operator*(Duration d, std::int64_t n) { return {d.us * n}; }
+constexpr Time operator+(Time t, Duration d) {
+  return {t.us + d.us};
+}
+constexpr Time operator-(Time t, Duration d) {
+  return {t.us - d.us};
+}
+constexpr Duration operator-(Time a, Time b) {
+  return {a.us - b.us};
+}
+constexpr Duration operator+(Duration a, Duration b) {
+  return {a.us + b.us};
+}
+constexpr Duration operator-(Duration a, Duration b) {
+  return {a.us - b.us};
+}
+constexpr Duration operator*(Duration d, std::int64_t n) {
+  return {d.us * n};
+}
 
-constexpr Duration Milliseconds(std::int64_t ms) { return {ms * 1000}; }
-constexpr Duration Seconds(std::int64_t s) { return {s * 1'000'000}; }
+constexpr Duration Milliseconds(std::int64_t ms) {
+  return {ms * 1000};
+}
+constexpr Duration Seconds(std::int64_t s) {
+  return {s * 1'000'000};
+}
 
 // The end of everything that never expires. Far enough from the limit that adding to it does not overflow.
 inline constexpr Time kForever{std::numeric_limits<std::int64_t>::max() / 4};
@@ -55,8 +71,8 @@ struct TimeInterval {
   constexpr bool Overlaps(TimeInterval other) const { return after < other.before && before > other.after; }
 };
 
-// The common part of two intervals, or nothing if they only touch or do not meet. A zero-length interval strictly
-// inside the other gives itself (semantics 1.6).
+// The common part of two intervals, or nothing if they only touch or do not meet. A zero-length interval
+// strictly inside the other gives itself (semantics 1.6).
 constexpr std::optional<TimeInterval> Intersection(TimeInterval a, TimeInterval b) {
   if (!a.Overlaps(b)) return std::nullopt;
   return TimeInterval{std::max(a.after, b.after), std::min(a.before, b.before)};

@@ -17,14 +17,27 @@ struct IsId : std::false_type {};
 template <class Tag>
 struct IsId<Id<Tag>> : std::true_type {};
 
-std::string_view PrefixOf(ModelId) { return "mdl_"; }
-std::string_view PrefixOf(CompositeStateId) { return "cst_"; }
-std::string_view PrefixOf(FactId) { return "fact_"; }
-std::string_view PrefixOf(GoalId) { return "goal_"; }
-std::string_view PrefixOf(PredictionId) { return "pred_"; }
-std::string_view PrefixOf(SimulationId) { return "sim_"; }
+std::string_view PrefixOf(ModelId) {
+  return "mdl_";
+}
+std::string_view PrefixOf(CompositeStateId) {
+  return "cst_";
+}
+std::string_view PrefixOf(FactId) {
+  return "fact_";
+}
+std::string_view PrefixOf(GoalId) {
+  return "goal_";
+}
+std::string_view PrefixOf(PredictionId) {
+  return "pred_";
+}
+std::string_view PrefixOf(SimulationId) {
+  return "sim_";
+}
 
-// How single values are written: exactly, for the digest (each event of a run passes here, so into one buffer) ...
+// How single values are written: exactly, for the digest (each event of a run passes here, so into one
+// buffer) ...
 struct Exact {
   static constexpr std::string_view kBetweenFields = "\x1f";
 
@@ -152,7 +165,8 @@ bool MayBeUncaused(const EventBody& body) {
 }
 
 std::string ToText(const Event& event) {
-  std::string text = ToText(event.time) + " #" + std::to_string(event.id.value) + " " + std::string(KindName(event.body));
+  std::string text =
+      ToText(event.time) + " #" + std::to_string(event.id.value) + " " + std::string(KindName(event.body));
   if (event.simulation.valid()) text += " in sim_" + std::to_string(event.simulation.value);
   text += ' ';
   WriteBody<Readable>(event.body, &text);
@@ -183,6 +197,8 @@ std::string EncodeForDigest(const Event& event) {
   return bytes;
 }
 
-void EventDigest::Add(const Event& event) { hasher_.Add(EncodeForDigest(event)); }
+void EventDigest::Add(const Event& event) {
+  hasher_.Add(EncodeForDigest(event));
+}
 
 }  // namespace aerascope

@@ -32,8 +32,10 @@ constexpr std::int64_t kMaxEncodedBytes = 1 << 20;
 constexpr int kMaxCombinations = 1000;
 constexpr std::size_t kMaxSymmetricOrders = 720;
 
-// The position, in canonical order, of each entry of an argument list whose entries stand for `listed` variables.
-std::vector<std::size_t> CanonicalPositions(const std::vector<int>& listed, const std::vector<int>& canonical_order) {
+// The position, in canonical order, of each entry of an argument list whose entries stand for `listed`
+// variables.
+std::vector<std::size_t> CanonicalPositions(const std::vector<int>& listed,
+                                            const std::vector<int>& canonical_order) {
   std::vector<std::size_t> positions;
   for (const int variable : canonical_order) {
     const auto it = std::find(listed.begin(), listed.end(), variable);
@@ -49,8 +51,9 @@ Term Permuted(const Term& list, const std::vector<std::size_t>& positions) {
   return Term::Set(std::move(items));
 }
 
-// Which of the equivalent orders of its arguments each reference uses, reference by reference in order of reading. All
-// combinations are gone through like the digits of a counter; how many values a digit has shows while reading.
+// Which of the equivalent orders of its arguments each reference uses, reference by reference in order of
+// reading. All combinations are gone through like the digits of a counter; how many values a digit has shows
+// while reading.
 class Combination {
  public:
   // The order for the next reference, one of `orders`.
@@ -127,11 +130,13 @@ Term Renumbered(const Term& term, Renumbering& renumbering) {
 }
 
 Term GuardTerm(const Guard& guard) {
-  return guard.target ? Term::Struct(":=", {Term::Variable(*guard.target), guard.expression}) : guard.expression;
+  return guard.target ? Term::Struct(":=", {Term::Variable(*guard.target), guard.expression})
+                      : guard.expression;
 }
 
-// Finds the arrangement of components with the smallest text: at each step the components whose text under the
-// numbering so far is smallest are candidates; ties are all tried. The guards' text decides between equal arrangements.
+// Finds the arrangement of components with the smallest text: at each step the components whose text under
+// the numbering so far is smallest are candidates; ties are all tried. The guards' text decides between equal
+// arrangements.
 class Arranger {
  public:
   // `encoded_bytes` counts the work done so far for this definition.
@@ -168,7 +173,8 @@ class Arranger {
   }
 
   // The unused components with the smallest text, equal ones once.
-  std::vector<std::size_t> Candidates(const Arrangement& so_far, const std::vector<bool>& used, std::string* smallest) {
+  std::vector<std::size_t> Candidates(const Arrangement& so_far, const std::vector<bool>& used,
+                                      std::string* smallest) {
     std::vector<std::size_t> candidates;
     std::set<Term> different;
     for (std::size_t i = 0; i < components_.size(); ++i) {
@@ -262,18 +268,22 @@ Canonical FormOf(const CompositeState& state, const ReferenceReplacer& without_r
                  std::int64_t* encoded_bytes) {
   std::vector<Term> components;
   std::vector<Term> guards;
-  for (const FactPattern& component : state.components) components.push_back(without_references(ToTerm(component)));
+  for (const FactPattern& component : state.components)
+    components.push_back(without_references(ToTerm(component)));
   for (const Guard& guard : state.guards) guards.push_back(without_references(GuardTerm(guard)));
   std::vector<Arranger::Arrangement> arrangements = Arranger(components, guards, encoded_bytes).Smallest();
   Arranger::Arrangement& first = arrangements[0];
   std::vector<Term> parts;
   std::vector<Term> tests;
-  for (const int i : first.order) parts.push_back(Renumbered(components[static_cast<std::size_t>(i)], first.renumbering));
+  for (const int i : first.order)
+    parts.push_back(Renumbered(components[static_cast<std::size_t>(i)], first.renumbering));
   for (const Term& guard : guards) tests.push_back(Renumbered(guard, first.renumbering));
-  Canonical canonical = Finish(Term::Struct("cst", {Term::Set(std::move(parts)), Term::Set(std::move(tests))}),
-                               first.renumbering.order());
+  Canonical canonical =
+      Finish(Term::Struct("cst", {Term::Set(std::move(parts)), Term::Set(std::move(tests))}),
+             first.renumbering.order());
   canonical.components = std::move(first.order);
-  for (const Arranger::Arrangement& other : arrangements) AddSymmetricOrder(other.renumbering.order(), &canonical);
+  for (const Arranger::Arrangement& other : arrangements)
+    AddSymmetricOrder(other.renumbering.order(), &canonical);
   return canonical;
 }
 
@@ -298,7 +308,8 @@ Canonical FormOf(const Model& model, const ReferenceReplacer& without_references
 
 }  // namespace
 
-Canonical Canonicalise(const CompositeState& state, const CanonicalOf& canonical_of, const Definitions& definitions) {
+Canonical Canonicalise(const CompositeState& state, const CanonicalOf& canonical_of,
+                       const Definitions& definitions) {
   return SmallestForm([&](Combination* combination, std::int64_t* encoded_bytes) {
     return FormOf(state, ReferenceReplacer(canonical_of, definitions, combination), encoded_bytes);
   });

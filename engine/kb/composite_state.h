@@ -1,9 +1,10 @@
-// A CompositeState (CST) is a conjunction of simultaneous fact patterns: the conditions under which something works.
+// A CompositeState (CST) is a conjunction of simultaneous fact patterns: the conditions under which something
+// works.
 //
-// All components share one interval, the variables `after` and `before` of the first one. Components may be instances
-// of other composite states (icst), never commands. The first component is the premise: what the action changes.
-// An instance is the payload `(icst cst_1 [] [arguments])`, its arguments being the values of all variables but the
-// interval's, in order of their numbers (semantics 1.3).
+// All components share one interval, the variables `after` and `before` of the first one. Components may be
+// instances of other composite states (icst), never commands. The first component is the premise: what the
+// action changes. An instance is the payload `(icst cst_1 [] [arguments])`, its arguments being the values of
+// all variables but the interval's, in order of their numbers (semantics 1.3).
 #pragma once
 
 #include <optional>
@@ -29,11 +30,12 @@ std::vector<int> ArgumentVariables(const CompositeState& state);
 // The payload of an instance under bindings; unbound variables stay variables of the composite state.
 Term InstancePayload(const CompositeState& state, const Bindings& bindings);
 
-// Binds the variables of the state from an instance's argument list; false if the lengths or values do not agree.
-// Arguments that are variables or wildcards bind nothing.
+// Binds the variables of the state from an instance's argument list; false if the lengths or values do not
+// agree. Arguments that are variables or wildcards bind nothing.
 bool BindInstance(const CompositeState& state, const Term& icst_payload, Bindings& bindings);
 
-// "H holding [] . C size large" style single line is viewer work; this is the definition, one component a line.
+// "H holding [] . C size large" style single line is viewer work; this is the definition, one component a
+// line.
 std::string ToText(const CompositeState& state);
 
 // The definition without its id, as a term for storage.

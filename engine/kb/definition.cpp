@@ -71,7 +71,8 @@ std::optional<std::vector<std::string>> NamesFromTerm(const Term& term) {
 }
 
 bool BindList(const Term& pattern_list, const Term& values, Bindings& bindings) {
-  return values.is(TermKind::kSet) && values.size() == pattern_list.size() && Match(pattern_list, values, bindings);
+  return values.is(TermKind::kSet) && values.size() == pattern_list.size() &&
+         Match(pattern_list, values, bindings);
 }
 
 Term VariableList(const std::vector<int>& variables) {
@@ -121,11 +122,13 @@ std::string ToText(const CompositeState& state) {
 Term DefinitionToTerm(const CompositeState& state) {
   std::vector<Term> components;
   for (const FactPattern& component : state.components) components.push_back(ToTerm(component));
-  return Term::Struct("cst", {Term::Set(std::move(components)), ToTerm(state.guards), NamesToTerm(state.variable_names)});
+  return Term::Struct(
+      "cst", {Term::Set(std::move(components)), ToTerm(state.guards), NamesToTerm(state.variable_names)});
 }
 
 std::optional<CompositeState> CompositeStateFromTerm(CompositeStateId id, const Term& definition) {
-  if (!definition.IsStruct("cst") || definition.size() != 3 || !definition[0].is(TermKind::kSet)) return std::nullopt;
+  if (!definition.IsStruct("cst") || definition.size() != 3 || !definition[0].is(TermKind::kSet))
+    return std::nullopt;
   CompositeState state;
   state.id = id;
   for (const Term& item : definition[0].items()) {
@@ -152,11 +155,16 @@ ModelKind KindOf(const Model& model) {
 
 std::string_view ToText(ModelKind kind) {
   switch (kind) {
-    case ModelKind::kCausal: return "causal model";
-    case ModelKind::kWeakRequirement: return "requirement model";
-    case ModelKind::kStrongRequirement: return "strong requirement model";
-    case ModelKind::kReuse: return "reuse model";
-    case ModelKind::kDrive: return "drive model";
+    case ModelKind::kCausal:
+      return "causal model";
+    case ModelKind::kWeakRequirement:
+      return "requirement model";
+    case ModelKind::kStrongRequirement:
+      return "strong requirement model";
+    case ModelKind::kReuse:
+      return "reuse model";
+    case ModelKind::kDrive:
+      return "drive model";
   }
   return {};
 }
@@ -208,18 +216,21 @@ bool BindInstance(const Model& model, const Term& imdl_payload, Bindings& bindin
 std::string ToText(const Model& model) {
   std::string text = "mdl_" + std::to_string(model.id.value);
   for (const Term& argument : model.template_arguments) text += " " + ToText(argument, model.variable_names);
-  text += "\n  " + ToText(model.lhs, model.variable_names) + "\n  -> " + ToText(model.rhs, model.variable_names) + "\n";
+  text += "\n  " + ToText(model.lhs, model.variable_names) + "\n  -> " +
+          ToText(model.rhs, model.variable_names) + "\n";
   return text + GuardLines("forward  ", model.forward, model.variable_names) +
          GuardLines("backward ", model.backward, model.variable_names);
 }
 
 Term DefinitionToTerm(const Model& model) {
-  return Term::Struct("mdl", {Term::Set(model.template_arguments), ToTerm(model.lhs), ToTerm(model.rhs),
-                              ToTerm(model.forward), ToTerm(model.backward), NamesToTerm(model.variable_names)});
+  return Term::Struct("mdl",
+                      {Term::Set(model.template_arguments), ToTerm(model.lhs), ToTerm(model.rhs),
+                       ToTerm(model.forward), ToTerm(model.backward), NamesToTerm(model.variable_names)});
 }
 
 std::optional<Model> ModelFromTerm(ModelId id, const Term& definition) {
-  if (!definition.IsStruct("mdl") || definition.size() != 6 || !definition[0].is(TermKind::kSet)) return std::nullopt;
+  if (!definition.IsStruct("mdl") || definition.size() != 6 || !definition[0].is(TermKind::kSet))
+    return std::nullopt;
   auto lhs = FactPatternFromTerm(definition[1]);
   auto rhs = FactPatternFromTerm(definition[2]);
   auto forward = GuardsFromTerm(definition[3]);

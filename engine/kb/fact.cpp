@@ -9,7 +9,9 @@ bool MatchInstant(const Term& pattern, Time time, Bindings& bindings) {
   return Match(pattern, Term::Instant(time), bindings);
 }
 
-std::string_view Head(bool positive) { return positive ? "fact" : "fact-not"; }
+std::string_view Head(bool positive) {
+  return positive ? "fact" : "fact-not";
+}
 
 }  // namespace
 
@@ -44,7 +46,8 @@ std::optional<Fact> Instantiate(const FactPattern& pattern, const Bindings& bind
   fact.payload = Substitute(pattern.payload, bindings);
   const Term after = Substitute(pattern.after, bindings);
   const Term before = Substitute(pattern.before, bindings);
-  if (!fact.payload.ground() || !after.is(TermKind::kTime) || !before.is(TermKind::kTime)) return std::nullopt;
+  if (!fact.payload.ground() || !after.is(TermKind::kTime) || !before.is(TermKind::kTime))
+    return std::nullopt;
   fact.interval = {after.time(), before.time()};
   fact.confidence = confidence;
   return fact;
@@ -59,8 +62,8 @@ std::string ToText(const Fact& fact) {
 
 std::string ToText(const FactPattern& pattern, std::span<const std::string> variable_names) {
   std::string text = pattern.positive ? "" : "not ";
-  return text + ToText(pattern.payload, variable_names) + " [" + ToText(pattern.after, variable_names) + ", " +
-         ToText(pattern.before, variable_names) + ")";
+  return text + ToText(pattern.payload, variable_names) + " [" + ToText(pattern.after, variable_names) +
+         ", " + ToText(pattern.before, variable_names) + ")";
 }
 
 Term ToTerm(const Fact& fact) {

@@ -1,5 +1,6 @@
-// A Fact says that its payload held, or with negative polarity did not hold (an anti-fact), throughout an interval.
-// A FactPattern is a fact with variables: what composite states and models are made of (semantics 1.2, 1.6).
+// A Fact says that its payload held, or with negative polarity did not hold (an anti-fact), throughout an
+// interval. A FactPattern is a fact with variables: what composite states and models are made of
+// (semantics 1.2, 1.6).
 #pragma once
 
 #include <optional>
@@ -31,15 +32,16 @@ struct FactPattern {
 
 enum class EvidenceVerdict { kPositive, kNegative, kNone };
 
-// Does the fact speak for or against the target (semantics 1.6, evidence test)? Positive or negative by polarity where
-// payloads match and the intervals overlap; negative also for counter-evidence: the same object and attribute with
-// another value, throughout the whole interval of the target.
+// Does the fact speak for or against the target (semantics 1.6, evidence test)? Positive or negative by
+// polarity where payloads match and the intervals overlap; negative also for counter-evidence: the same
+// object and attribute with another value, throughout the whole interval of the target.
 EvidenceVerdict EvidenceFor(const Fact& fact, const Fact& target);
 
 // Same object and attribute, another value.
 bool ContradictsValue(const Term& payload, const Term& target_payload);
 
-// Binds the payload and the interval variables strictly (same polarity). Bound interval variables must be synchronous.
+// Binds the payload and the interval variables strictly (same polarity). Bound interval variables must be
+// synchronous.
 bool MatchFact(const FactPattern& pattern, const Fact& fact, Bindings& bindings);
 
 // The pattern with its bindings; nothing unless payload and interval became ground.
@@ -48,8 +50,8 @@ std::optional<Fact> Instantiate(const FactPattern& pattern, const Bindings& bind
 std::string ToText(const Fact& fact);
 std::string ToText(const FactPattern& pattern, std::span<const std::string> variable_names = {});
 
-// As terms, for storage: (fact payload after before confidence), (|fact ...) written "fact-not"; and patterns the same
-// without confidence.
+// As terms, for storage: (fact payload after before confidence), (|fact ...) written "fact-not"; and patterns
+// the same without confidence.
 Term ToTerm(const Fact& fact);
 std::optional<Fact> FactFromTerm(const Term& term);
 Term ToTerm(const FactPattern& pattern);

@@ -66,9 +66,13 @@ void KnowledgeBase::SetNow(Time now, std::int64_t frame) {
   frame_ = frame;
 }
 
-void KnowledgeBase::AddSymbol(Term symbol) { symbols_.push_back(std::move(symbol)); }
+void KnowledgeBase::AddSymbol(Term symbol) {
+  symbols_.push_back(std::move(symbol));
+}
 
-void KnowledgeBase::AddFact(FactRecord record) { facts_.insert_or_assign(record.id, std::move(record)); }
+void KnowledgeBase::AddFact(FactRecord record) {
+  facts_.insert_or_assign(record.id, std::move(record));
+}
 
 void KnowledgeBase::ExpireFacts(Time now) {
   std::erase_if(facts_, [&](const auto& entry) { return entry.second.fact.interval.before <= now; });
@@ -94,7 +98,8 @@ void KnowledgeBase::IndexRequirement(ModelId id) {
   if (!IsRequirement(record.model)) return;
   std::vector<ModelId>& known = requirements_[TargetModel(record.model)];
   std::erase(known, id);
-  if (record.state != ModelState::kDeleted) known.insert(std::lower_bound(known.begin(), known.end(), id), id);
+  if (record.state != ModelState::kDeleted)
+    known.insert(std::lower_bound(known.begin(), known.end(), id), id);
 }
 
 void KnowledgeBase::SetEvidence(ModelId id, Evidence evidence, bool strong) {
@@ -111,11 +116,17 @@ void KnowledgeBase::SetState(ModelId id, ModelState state) {
   IndexRequirement(id);
 }
 
-void KnowledgeBase::OpenGoal(GoalRecord record) { goals_.insert_or_assign(record.id, std::move(record)); }
-void KnowledgeBase::CloseGoal(GoalId id) { goals_.erase(id); }
+void KnowledgeBase::OpenGoal(GoalRecord record) {
+  goals_.insert_or_assign(record.id, std::move(record));
+}
+void KnowledgeBase::CloseGoal(GoalId id) {
+  goals_.erase(id);
+}
 void KnowledgeBase::OpenPrediction(PredictionRecord record) {
   predictions_.insert_or_assign(record.id, std::move(record));
 }
-void KnowledgeBase::ClosePrediction(PredictionId id) { predictions_.erase(id); }
+void KnowledgeBase::ClosePrediction(PredictionId id) {
+  predictions_.erase(id);
+}
 
 }  // namespace aerascope

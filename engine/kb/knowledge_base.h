@@ -1,8 +1,8 @@
-// The KnowledgeBase is everything an agent holds at one moment: its symbols, its composite states and models with their
-// evidence, the facts that are in force, and the goals and predictions that are still open.
+// The KnowledgeBase is everything an agent holds at one moment: its symbols, its composite states and models
+// with their evidence, the facts that are in force, and the goals and predictions that are still open.
 //
-// It is a value moved forward by events only: `Apply(event, &knowledge_base)` (engine/event/apply.h) is the one caller
-// of the functions under "changes". Iteration is by id, so by order of creation.
+// It is a value moved forward by events only: `Apply(event, &knowledge_base)` (engine/event/apply.h) is the
+// one caller of the functions under "changes". Iteration is by id, so by order of creation.
 #pragma once
 
 #include <map>
@@ -32,10 +32,10 @@ enum class ModelState {
 };
 
 enum class FactSource {
-  kSensor,     // a value observed in this frame
-  kProperty,   // static: essence, shape, size; in force for the whole episode
-  kExecuted,   // a command that was really executed (efference copy)
-  kAbsence,    // concluded from something expected that did not happen
+  kSensor,    // a value observed in this frame
+  kProperty,  // static: essence, shape, size; in force for the whole episode
+  kExecuted,  // a command that was really executed (efference copy)
+  kAbsence,   // concluded from something expected that did not happen
 };
 
 struct FactRecord {
@@ -84,7 +84,9 @@ struct PredictionRecord {
 class KnowledgeBase {
  public:
   const std::vector<Term>& symbols() const { return symbols_; }
-  const std::map<CompositeStateId, CompositeStateRecord>& composite_states() const { return composite_states_; }
+  const std::map<CompositeStateId, CompositeStateRecord>& composite_states() const {
+    return composite_states_;
+  }
   const std::map<ModelId, ModelRecord>& models() const { return models_; }  // deleted ones included
   const std::map<FactId, FactRecord>& facts() const { return facts_; }      // in force in the current frame
   const std::map<GoalId, GoalRecord>& goals() const { return goals_; }
@@ -106,7 +108,7 @@ class KnowledgeBase {
   void SetNow(Time now, std::int64_t frame);
   void AddSymbol(Term symbol);
   void AddFact(FactRecord record);
-  void ExpireFacts(Time now);  // drops facts whose interval ended at or before now
+  void ExpireFacts(Time now);                           // drops facts whose interval ended at or before now
   void AddCompositeState(CompositeStateRecord record);  // computes the canonical form
   void AddModel(ModelRecord record);                    // computes the canonical form
   void SetEvidence(ModelId id, Evidence evidence, bool strong);

@@ -20,9 +20,12 @@ bool SameValue(const Term& a, const Term& b) {
   if (a == b) return true;
   if (a.kind() != b.kind()) return false;
   switch (a.kind()) {
-    case TermKind::kNumber: return std::abs(a.number() - b.number()) < kNumberTolerance;
-    case TermKind::kTime: return Synchronous(a.time(), b.time());
-    case TermKind::kDuration: return Synchronous({a.duration().us}, {b.duration().us});
+    case TermKind::kNumber:
+      return std::abs(a.number() - b.number()) < kNumberTolerance;
+    case TermKind::kTime:
+      return Synchronous(a.time(), b.time());
+    case TermKind::kDuration:
+      return Synchronous({a.duration().us}, {b.duration().us});
     case TermKind::kSet:
     case TermKind::kStruct: {
       if (a.size() != b.size() || a.name() != b.name()) return false;
@@ -39,7 +42,8 @@ bool SameValue(const Term& a, const Term& b) {
     case TermKind::kVariable:
     case TermKind::kWildcard:
     case TermKind::kCompositeState:
-    case TermKind::kModel: return false;
+    case TermKind::kModel:
+      return false;
   }
   return false;
 }
@@ -47,7 +51,8 @@ bool SameValue(const Term& a, const Term& b) {
 bool Match(const Term& pattern, const Term& object, Bindings& bindings) {
   if (object.is(TermKind::kWildcard) || object.is(TermKind::kVariable)) return true;
   switch (pattern.kind()) {
-    case TermKind::kWildcard: return true;
+    case TermKind::kWildcard:
+      return true;
     case TermKind::kVariable: {
       if (const Term* bound = bindings.Find(pattern.variable())) {
         return object.ground() ? SameValue(*bound, object) : Match(*bound, object, bindings);
@@ -57,7 +62,8 @@ bool Match(const Term& pattern, const Term& object, Bindings& bindings) {
     }
     case TermKind::kSet:
     case TermKind::kStruct: {
-      if (pattern.kind() != object.kind() || pattern.size() != object.size() || pattern.name() != object.name()) {
+      if (pattern.kind() != object.kind() || pattern.size() != object.size() ||
+          pattern.name() != object.name()) {
         return false;
       }
       for (std::size_t i = 0; i < pattern.size(); ++i) {
@@ -74,7 +80,8 @@ bool Match(const Term& pattern, const Term& object, Bindings& bindings) {
     case TermKind::kString:
     case TermKind::kBool:
     case TermKind::kCompositeState:
-    case TermKind::kModel: return SameValue(pattern, object);
+    case TermKind::kModel:
+      return SameValue(pattern, object);
   }
   return false;
 }
@@ -99,7 +106,9 @@ Term Closed(const Term& term) {
 
 namespace {
 
-bool IsVector(const Term& term) { return term.IsStruct("vec2") || term.IsStruct("vec3"); }
+bool IsVector(const Term& term) {
+  return term.IsStruct("vec2") || term.IsStruct("vec3");
+}
 
 std::optional<Term> Apply(std::string_view op, const Term& a, const Term& b) {
   const auto number = [](double value) -> std::optional<Term> {
@@ -125,7 +134,8 @@ std::optional<Term> Apply(std::string_view op, const Term& a, const Term& b) {
     return std::nullopt;
   }
   // Vectors: element by element with each other, or scaled by a number.
-  if (IsVector(a) && ((IsVector(b) && a.name() == b.name() && a.size() == b.size()) || b.is(TermKind::kNumber))) {
+  if (IsVector(a) &&
+      ((IsVector(b) && a.name() == b.name() && a.size() == b.size()) || b.is(TermKind::kNumber))) {
     if (b.is(TermKind::kNumber) && op != "*" && op != "/") return std::nullopt;
     std::vector<Term> items;
     for (std::size_t i = 0; i < a.size(); ++i) {

@@ -1,9 +1,9 @@
-// A Model is one rule "left side -> right side": a causal model (CM), a requirement model (M_req, weak or strong), a
-// reuse model or a drive model; which one, its two sides tell (semantics 2).
+// A Model is one rule "left side -> right side": a causal model (CM), a requirement model (M_req, weak or
+// strong), a reuse model or a drive model; which one, its two sides tell (semantics 2).
 //
-// Template arguments are values a causal model needs but cannot read from its left side; a requirement supplies them.
-// An instance is the payload `(imdl mdl_1 [template] [exposed])`, exposed being all other variables but the left
-// side's interval, in order of their numbers (semantics 1.3).
+// Template arguments are values a causal model needs but cannot read from its left side; a requirement
+// supplies them. An instance is the payload `(imdl mdl_1 [template] [exposed])`, exposed being all other
+// variables but the left side's interval, in order of their numbers (semantics 1.3).
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ enum class ModelKind { kCausal, kWeakRequirement, kStrongRequirement, kReuse, kD
 
 struct Model {
   ModelId id;
-  std::vector<Term> template_arguments;     // variables, or (ti after before) of two variables
+  std::vector<Term> template_arguments;  // variables, or (ti after before) of two variables
   FactPattern lhs;
   FactPattern rhs;
   std::vector<Guard> forward;               // compute the right side from left side and template

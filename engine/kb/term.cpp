@@ -23,7 +23,8 @@ std::uint64_t HashText(std::string_view text) {
 }  // namespace
 
 Term Term::Make(Node node) {
-  std::uint64_t hash = Mix(static_cast<std::uint64_t>(node.kind) + 1, static_cast<std::uint64_t>(node.integer));
+  std::uint64_t hash =
+      Mix(static_cast<std::uint64_t>(node.kind) + 1, static_cast<std::uint64_t>(node.integer));
   hash = Mix(hash, std::bit_cast<std::uint64_t>(node.number));
   hash = Mix(hash, HashText(node.text));
   if (node.kind == TermKind::kVariable || node.kind == TermKind::kWildcard) node.ground = false;
@@ -42,22 +43,34 @@ Term::Term() {
   node_ = nil.node_;
 }
 
-Term Term::Entity(std::string name) { return Make({.kind = TermKind::kEntity, .text = std::move(name), .items = {}}); }
-Term Term::Ontology(std::string name) { return Make({.kind = TermKind::kOntology, .text = std::move(name), .items = {}}); }
+Term Term::Entity(std::string name) {
+  return Make({.kind = TermKind::kEntity, .text = std::move(name), .items = {}});
+}
+Term Term::Ontology(std::string name) {
+  return Make({.kind = TermKind::kOntology, .text = std::move(name), .items = {}});
+}
 Term Term::Number(double value) {
   return Make({.kind = TermKind::kNumber, .number = RoundNumber(value), .text = {}, .items = {}});
 }
-Term Term::Instant(Time time) { return Make({.kind = TermKind::kTime, .integer = time.us, .text = {}, .items = {}}); }
+Term Term::Instant(Time time) {
+  return Make({.kind = TermKind::kTime, .integer = time.us, .text = {}, .items = {}});
+}
 Term Term::Span(Duration duration) {
   return Make({.kind = TermKind::kDuration, .integer = duration.us, .text = {}, .items = {}});
 }
-Term Term::String(std::string text) { return Make({.kind = TermKind::kString, .text = std::move(text), .items = {}}); }
-Term Term::Bool(bool value) { return Make({.kind = TermKind::kBool, .integer = value ? 1 : 0, .text = {}, .items = {}}); }
+Term Term::String(std::string text) {
+  return Make({.kind = TermKind::kString, .text = std::move(text), .items = {}});
+}
+Term Term::Bool(bool value) {
+  return Make({.kind = TermKind::kBool, .integer = value ? 1 : 0, .text = {}, .items = {}});
+}
 Term Term::Variable(int index) {
   assert(index >= 0);
   return Make({.kind = TermKind::kVariable, .integer = index, .text = {}, .items = {}});
 }
-Term Term::Wildcard() { return Make({.kind = TermKind::kWildcard, .text = {}, .items = {}}); }
+Term Term::Wildcard() {
+  return Make({.kind = TermKind::kWildcard, .text = {}, .items = {}});
+}
 Term Term::Set(std::vector<Term> items) {
   return Make({.kind = TermKind::kSet, .text = {}, .items = std::move(items)});
 }
@@ -76,8 +89,8 @@ bool Term::operator==(const Term& other) const {
   const Node& a = *node_;
   const Node& b = *other.node_;
   return a.hash == b.hash && a.kind == b.kind && a.integer == b.integer &&
-         std::bit_cast<std::uint64_t>(a.number) == std::bit_cast<std::uint64_t>(b.number) && a.text == b.text &&
-         a.items == b.items;
+         std::bit_cast<std::uint64_t>(a.number) == std::bit_cast<std::uint64_t>(b.number) &&
+         a.text == b.text && a.items == b.items;
 }
 
 bool Term::operator<(const Term& other) const {
@@ -105,24 +118,37 @@ std::string ToText(const Term& term, std::span<const std::string> variable_names
     return std::string(open) + text + std::string(close);
   };
   switch (term.kind()) {
-    case TermKind::kNil: return "nil";
+    case TermKind::kNil:
+      return "nil";
     case TermKind::kEntity:
-    case TermKind::kOntology: return Printable(term.name());
-    case TermKind::kNumber: return FormatNumber(term.number());
-    case TermKind::kTime: return ToText(term.time());
-    case TermKind::kDuration: return ToText(term.duration());
-    case TermKind::kString: return "\"" + Printable(term.name()) + "\"";
-    case TermKind::kBool: return term.boolean() ? "true" : "false";
+    case TermKind::kOntology:
+      return Printable(term.name());
+    case TermKind::kNumber:
+      return FormatNumber(term.number());
+    case TermKind::kTime:
+      return ToText(term.time());
+    case TermKind::kDuration:
+      return ToText(term.duration());
+    case TermKind::kString:
+      return "\"" + Printable(term.name()) + "\"";
+    case TermKind::kBool:
+      return term.boolean() ? "true" : "false";
     case TermKind::kVariable: {
       const auto index = static_cast<std::size_t>(term.variable());
-      if (index < variable_names.size() && !variable_names[index].empty()) return Printable(variable_names[index]);
+      if (index < variable_names.size() && !variable_names[index].empty())
+        return Printable(variable_names[index]);
       return "v" + std::to_string(index);
     }
-    case TermKind::kWildcard: return ":";
-    case TermKind::kSet: return list("", "[", "]");
-    case TermKind::kStruct: return list(Printable(term.name()), "(", ")");
-    case TermKind::kCompositeState: return "cst_" + std::to_string(term.composite_state().value);
-    case TermKind::kModel: return "mdl_" + std::to_string(term.model().value);
+    case TermKind::kWildcard:
+      return ":";
+    case TermKind::kSet:
+      return list("", "[", "]");
+    case TermKind::kStruct:
+      return list(Printable(term.name()), "(", ")");
+    case TermKind::kCompositeState:
+      return "cst_" + std::to_string(term.composite_state().value);
+    case TermKind::kModel:
+      return "mdl_" + std::to_string(term.model().value);
   }
   return {};
 }

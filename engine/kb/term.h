@@ -1,12 +1,12 @@
 // A Term is an immutable value of the language: everything a fact, pattern, guard or definition is made of.
 //
-// Atoms are names (entities, ontology symbols), numbers, times, strings, variables and references to knowledge;
-// sets and structs hold other terms. `(mk.val h position (vec2 0.1 0.2))` is a struct "mk.val" of an entity, an
-// ontology symbol and a struct "vec2" of two numbers. Copies are cheap (a shared pointer to an immutable node) and
-// may be used from any thread.
+// Atoms are names (entities, ontology symbols), numbers, times, strings, variables and references to
+// knowledge; sets and structs hold other terms. `(mk.val h position (vec2 0.1 0.2))` is a struct "mk.val" of
+// an entity, an ontology symbol and a struct "vec2" of two numbers. Copies are cheap (a shared pointer to an
+// immutable node) and may be used from any thread.
 //
-// Always true: (1) equal terms have equal hashes, on every machine; (2) every number has at most 9 significant
-// decimal digits; (3) a term is never deeper than kMaxTermDepth.
+// Always true: (1) equal terms have equal hashes, on every machine; (2) every number has at most 9
+// significant decimal digits; (3) a term is never deeper than kMaxTermDepth.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ namespace aerascope {
 
 enum class TermKind : std::uint8_t {
   kNil,
-  kEntity,          // a named individual; learning may put a variable in its place
-  kOntology,        // a named property or category; never abstracted
+  kEntity,    // a named individual; learning may put a variable in its place
+  kOntology,  // a named property or category; never abstracted
   kNumber,
-  kTime,            // an instant
+  kTime,  // an instant
   kDuration,
   kString,
   kBool,
@@ -64,13 +64,13 @@ class Term {
 
   // The name of an entity or ontology symbol, the head of a struct, the text of a string; else empty.
   const std::string& name() const { return node_->text; }
-  double number() const { return node_->number; }             // of a number
-  Time time() const { return {node_->integer}; }              // of an instant
-  Duration duration() const { return {node_->integer}; }      // of a duration
-  bool boolean() const { return node_->integer != 0; }        // of a bool
-  int variable() const { return static_cast<int>(node_->integer); }                        // of a variable
-  CompositeStateId composite_state() const { return CompositeStateId{node_->integer}; }    // of a reference
-  ModelId model() const { return ModelId{node_->integer}; }                                // of a reference
+  double number() const { return node_->number; }                                        // of a number
+  Time time() const { return {node_->integer}; }                                         // of an instant
+  Duration duration() const { return {node_->integer}; }                                 // of a duration
+  bool boolean() const { return node_->integer != 0; }                                   // of a bool
+  int variable() const { return static_cast<int>(node_->integer); }                      // of a variable
+  CompositeStateId composite_state() const { return CompositeStateId{node_->integer}; }  // of a reference
+  ModelId model() const { return ModelId{node_->integer}; }                              // of a reference
 
   // The elements of a set or the arguments of a struct; empty for atoms.
   std::span<const Term> items() const { return node_->items; }
@@ -103,15 +103,24 @@ class Term {
   std::shared_ptr<const Node> node_;  // shared: terms are values, copied freely between threads
 };
 
-// For people: names bare, variables as v3, or by the given names (index = variable number) where there are some.
+// For people: names bare, variables as v3, or by the given names (index = variable number) where there are
+// some.
 std::string ToText(const Term& term, std::span<const std::string> variable_names = {});
 
 // The attribute and object of `(mk.val object attribute value)`, if it is one.
-inline bool IsValue(const Term& payload) { return payload.IsStruct("mk.val") && payload.size() == 3; }
-inline bool IsCommand(const Term& payload) { return payload.IsStruct("cmd") && payload.size() == 2; }
+inline bool IsValue(const Term& payload) {
+  return payload.IsStruct("mk.val") && payload.size() == 3;
+}
+inline bool IsCommand(const Term& payload) {
+  return payload.IsStruct("cmd") && payload.size() == 2;
+}
 // `(icst cst_1 [template] [arguments])` and `(imdl mdl_1 [template] [exposed])`.
-inline bool IsIcst(const Term& payload) { return payload.IsStruct("icst") && payload.size() == 3; }
-inline bool IsImdl(const Term& payload) { return payload.IsStruct("imdl") && payload.size() == 3; }
+inline bool IsIcst(const Term& payload) {
+  return payload.IsStruct("icst") && payload.size() == 3;
+}
+inline bool IsImdl(const Term& payload) {
+  return payload.IsStruct("imdl") && payload.size() == 3;
+}
 
 Term MakeValue(Term object, Term attribute, Term value);
 Term MakeCommand(Term function, std::vector<Term> arguments);
@@ -133,8 +142,8 @@ void ForEachTerm(const Term& term, Visit&& visit) {
   for (const Term& item : term.items()) ForEachTerm(item, visit);
 }
 
-// The term with every leaf or inner term t replaced by replace(t) where that gives a value (std::optional<Term>);
-// replaced terms are not looked into again.
+// The term with every leaf or inner term t replaced by replace(t) where that gives a value
+// (std::optional<Term>); replaced terms are not looked into again.
 template <class Replace>
 Term Rewritten(const Term& term, Replace&& replace) {
   if (auto replacement = replace(term)) return *replacement;

@@ -23,7 +23,8 @@ bool IsPlainName(std::string_view name) {
   const char first = name[0];
   const bool letter = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z') || first == '_';
   if (!letter) return false;
-  if ((first == 't' || first == 'd') && name.size() > 1 && ((name[1] >= '0' && name[1] <= '9') || name[1] == '-')) {
+  if ((first == 't' || first == 'd') && name.size() > 1 &&
+      ((name[1] >= '0' && name[1] <= '9') || name[1] == '-')) {
     return false;
   }
   if (name == "inf" || name == "nan") return false;
@@ -70,13 +71,19 @@ void AppendHead(std::string_view head, std::string* out) {
 
 void Append(const Term& term, std::string* out) {
   switch (term.kind()) {
-    case TermKind::kNil: *out += "nil"; return;
+    case TermKind::kNil:
+      *out += "nil";
+      return;
     case TermKind::kEntity:
       *out += '@';
       AppendName(term.name(), out);
       return;
-    case TermKind::kOntology: AppendName(term.name(), out); return;
-    case TermKind::kNumber: AppendNumber(term.number(), 9, out); return;
+    case TermKind::kOntology:
+      AppendName(term.name(), out);
+      return;
+    case TermKind::kNumber:
+      AppendNumber(term.number(), 9, out);
+      return;
     case TermKind::kTime:
       *out += 't';
       AppendInteger(term.time().us, out);
@@ -85,12 +92,24 @@ void Append(const Term& term, std::string* out) {
       *out += 'd';
       AppendInteger(term.duration().us, out);
       return;
-    case TermKind::kString: AppendQuoted(term.name(), '"', out); return;
-    case TermKind::kBool: *out += term.boolean() ? "#t" : "#f"; return;
-    case TermKind::kVariable: *out += "$" + std::to_string(term.variable()); return;
-    case TermKind::kWildcard: *out += ':'; return;
-    case TermKind::kCompositeState: *out += "~c" + std::to_string(term.composite_state().value); return;
-    case TermKind::kModel: *out += "~m" + std::to_string(term.model().value); return;
+    case TermKind::kString:
+      AppendQuoted(term.name(), '"', out);
+      return;
+    case TermKind::kBool:
+      *out += term.boolean() ? "#t" : "#f";
+      return;
+    case TermKind::kVariable:
+      *out += "$" + std::to_string(term.variable());
+      return;
+    case TermKind::kWildcard:
+      *out += ':';
+      return;
+    case TermKind::kCompositeState:
+      *out += "~c" + std::to_string(term.composite_state().value);
+      return;
+    case TermKind::kModel:
+      *out += "~m" + std::to_string(term.model().value);
+      return;
     case TermKind::kSet:
       *out += '[';
       for (std::size_t i = 0; i < term.size(); ++i) {
@@ -118,7 +137,8 @@ class Decoder {
   Result<Term> Read() {
     std::optional<Term> term = ReadTerm(1);
     if (term && at_ != text_.size()) term = Fail("the end of the text");
-    if (!term) return Error{"stored term is damaged at byte " + std::to_string(at_) + ": expected " + expected_};
+    if (!term)
+      return Error{"stored term is damaged at byte " + std::to_string(at_) + ": expected " + expected_};
     return *term;
   }
 
@@ -205,8 +225,9 @@ class Decoder {
     }
     if (Eat('$')) {
       const auto index = ReadInteger();
-      return index && *index >= 0 && *index < (1 << 20) ? std::optional(Term::Variable(static_cast<int>(*index)))
-                                                        : Fail("a variable number");
+      return index && *index >= 0 && *index < (1 << 20)
+                 ? std::optional(Term::Variable(static_cast<int>(*index)))
+                 : Fail("a variable number");
     }
     if (Eat('~')) {
       const bool state = Eat('c');
@@ -269,10 +290,16 @@ std::string Encode(const Term& term) {
   return text;
 }
 
-void AppendEncoded(const Term& term, std::string* out) { Append(term, out); }
+void AppendEncoded(const Term& term, std::string* out) {
+  Append(term, out);
+}
 
-void AppendEncodedString(std::string_view text, std::string* out) { AppendQuoted(text, '"', out); }
+void AppendEncodedString(std::string_view text, std::string* out) {
+  AppendQuoted(text, '"', out);
+}
 
-Result<Term> DecodeTerm(std::string_view text) { return Decoder(text).Read(); }
+Result<Term> DecodeTerm(std::string_view text) {
+  return Decoder(text).Read();
+}
 
 }  // namespace aerascope

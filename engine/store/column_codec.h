@@ -1,5 +1,5 @@
-// How each type of event field is kept in columns: for each type one ColumnCodec that describes its columns, binds a
-// value to them and reads it back (checking everything). Inside engine/store only.
+// How each type of event field is kept in columns: for each type one ColumnCodec that describes its columns,
+// binds a value to them and reads it back (checking everything). Inside engine/store only.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,9 @@ template <class T>
 inline constexpr bool kIsList = IsVectorType<T>::value && !std::is_same_v<T, std::vector<double>>;
 
 template <class T>
-concept HasFields = requires { T::Fields(); };
+concept HasFields = requires {
+  T::Fields();
+};
 
 // Gives each different term a number in the `content` table.
 class ContentIds {
@@ -56,7 +58,8 @@ class Binder {
   void Real(double value) { sqlite3_bind_double(statement_, ++index_, value); }  // NaN becomes NULL
   void Text(std::string_view value) { Keep(BindText(statement_, ++index_, value)); }
   void Blob(std::string bytes) {
-    Keep(sqlite3_bind_blob64(statement_, ++index_, bytes.empty() ? "" : bytes.data(), bytes.size(), SQLITE_TRANSIENT));
+    Keep(sqlite3_bind_blob64(statement_, ++index_, bytes.empty() ? "" : bytes.data(), bytes.size(),
+                             SQLITE_TRANSIENT));
   }
   void Content(const Term& term) { Integer(contents_->IdOf(term)); }
 
@@ -71,11 +74,12 @@ class Binder {
   bool failed_ = false;
 };
 
-// Reads one value after another from a row. A column that an older file does not have leaves the value as it is. The
-// first thing that does not fit is remembered as a phrase: "frame is -3".
+// Reads one value after another from a row. A column that an older file does not have leaves the value as it
+// is. The first thing that does not fit is remembered as a phrase: "frame is -3".
 class RowReader {
  public:
-  // `columns`: for each column of the table as it is now, its place in the row, or -1 where the file has none.
+  // `columns`: for each column of the table as it is now, its place in the row, or -1 where the file has
+  // none.
   RowReader(sqlite3_stmt* statement, const std::vector<int>& columns, const StoredTable& table,
             const std::vector<Term>& contents)
       : statement_(statement), columns_(columns), table_(table), contents_(contents) {}
@@ -206,11 +210,12 @@ struct ColumnCodec<double> {
 };
 
 template <class Enum>
-  requires std::is_enum_v<Enum>
+requires std::is_enum_v<Enum>
 struct ColumnCodec<Enum> {
   static void Describe(const std::string& name, const std::string& meaning, Columns* columns) {
     std::string names;
-    for (const std::string_view value : kEnumNames<Enum>) names += (names.empty() ? "" : ", ") + std::string(value);
+    for (const std::string_view value : kEnumNames<Enum>)
+      names += (names.empty() ? "" : ", ") + std::string(value);
     columns->push_back({name, "TEXT", false, meaning + "; one of " + names});
   }
   static void Bind(Enum value, Binder* to) { to->Text(EnumName(value)); }
@@ -254,7 +259,8 @@ template <>
 struct ColumnCodec<TimeInterval> {
   static void Describe(const std::string& name, const std::string& meaning, Columns* columns) {
     columns->push_back({name + "_after_us", "INTEGER", false, meaning + ": its beginning, microseconds"});
-    columns->push_back({name + "_before_us", "INTEGER", false, meaning + ": its end (not included), microseconds"});
+    columns->push_back(
+        {name + "_before_us", "INTEGER", false, meaning + ": its end (not included), microseconds"});
   }
   static void Bind(const TimeInterval& value, Binder* to) {
     to->Integer(value.after.us);
@@ -269,7 +275,8 @@ struct ColumnCodec<TimeInterval> {
 template <>
 struct ColumnCodec<Fact> {
   static void Describe(const std::string& name, const std::string& meaning, Columns* columns) {
-    columns->push_back({name + "_positive", "INTEGER", false, meaning + ": 1 it held, 0 it did not (anti-fact)"});
+    columns->push_back(
+        {name + "_positive", "INTEGER", false, meaning + ": 1 it held, 0 it did not (anti-fact)"});
     columns->push_back({name + "_payload", "INTEGER", false, meaning + ": what, a content id"});
     ColumnCodec<TimeInterval>::Describe(name, meaning, columns);
     columns->push_back({name + "_confidence", "REAL", true, meaning + ": confidence from 0 to 1"});
@@ -314,7 +321,7 @@ inline std::optional<Model> FromDefinition(ModelId id, const Term& definition) {
 }
 
 template <class Definition>
-  requires std::is_same_v<Definition, CompositeState> || std::is_same_v<Definition, Model>
+requires std::is_same_v<Definition, CompositeState> || std::is_same_v<Definition, Model>
 struct ColumnCodec<Definition> {
   static void Describe(const std::string& name, const std::string&, Columns* columns) {
     columns->push_back({name, "INTEGER", false, "its number"});

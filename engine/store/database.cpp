@@ -9,17 +9,20 @@ int Database::Open(const std::string& path, int flags) {
   sqlite3* handle = nullptr;
   // SQLite takes "file:..." for a URI; a path that begins so is meant as a path.
   const std::string name = path.starts_with("file:") ? "./" + path : path;
-  const int code = sqlite3_open_v2(name.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE, nullptr);
+  const int code =
+      sqlite3_open_v2(name.c_str(), &handle, flags | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE, nullptr);
   handle_.reset(handle);
   return code;
 }
 
-int Database::Execute(const std::string& sql) { return sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr); }
+int Database::Execute(const std::string& sql) {
+  return sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr);
+}
 
 Statement Database::Prepare(std::string_view sql) {
   sqlite3_stmt* statement = nullptr;
-  sqlite3_prepare_v3(handle_.get(), sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT, &statement,
-                     nullptr);
+  sqlite3_prepare_v3(handle_.get(), sql.data(), static_cast<int>(sql.size()), SQLITE_PREPARE_PERSISTENT,
+                     &statement, nullptr);
   return Statement(statement);
 }
 
@@ -41,11 +44,14 @@ int Database::Close() {
   return code;
 }
 
-int Database::ProblemCode() const { return handle_ ? sqlite3_extended_errcode(handle_.get()) : SQLITE_NOMEM; }
+int Database::ProblemCode() const {
+  return handle_ ? sqlite3_extended_errcode(handle_.get()) : SQLITE_NOMEM;
+}
 
 std::string Database::Problem() const {
   const int code = ProblemCode();
-  // SQLite does not always keep the system's error; then errno still has it, as nothing else was called since.
+  // SQLite does not always keep the system's error; then errno still has it, as nothing else was called
+  // since.
   const int last_error = errno;
   const int kept_error = handle_ ? sqlite3_system_errno(handle_.get()) : 0;
   const int system_error = kept_error != 0 ? kept_error : last_error;

@@ -53,10 +53,12 @@ class Database {
 
 // Binds text or bytes that outlive the next step; 64-bit lengths.
 inline int BindText(sqlite3_stmt* statement, int index, std::string_view text) {
-  return sqlite3_bind_text64(statement, index, text.empty() ? "" : text.data(), text.size(), SQLITE_STATIC, SQLITE_UTF8);
+  return sqlite3_bind_text64(statement, index, text.empty() ? "" : text.data(), text.size(), SQLITE_STATIC,
+                             SQLITE_UTF8);
 }
 inline int BindBlob(sqlite3_stmt* statement, int index, std::string_view bytes) {
-  return sqlite3_bind_blob64(statement, index, bytes.empty() ? "" : bytes.data(), bytes.size(), SQLITE_STATIC);
+  return sqlite3_bind_blob64(statement, index, bytes.empty() ? "" : bytes.data(), bytes.size(),
+                             SQLITE_STATIC);
 }
 inline std::string_view ColumnBytes(sqlite3_stmt* statement, int column) {
   // The pointer must be asked for before the length.

@@ -1,5 +1,5 @@
-// What an episode file says about itself before its first event: who wrote it, under which settings, and every file
-// that is needed to look at it years later on another machine.
+// What an episode file says about itself before its first event: who wrote it, under which settings, and
+// every file that is needed to look at it years later on another machine.
 #pragma once
 
 #include <cstdint>

@@ -20,13 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ------------------------------------------------------------------------------------------------- opening the file
+// ------------------------------------------------------------------------------------------------- opening
+// the file
 
 // The first 100 bytes of every SQLite file, as far as they matter here.
 struct FileHeader {
-  std::int32_t version = 0;        // kSchemaVersion of the writer
+  std::int32_t version = 0;  // kSchemaVersion of the writer
   std::uint64_t page_size = 0;
-  std::uint64_t pages = 0;         // what the file should hold
+  std::uint64_t pages = 0;  // what the file should hold
 };
 
 std::uint32_t BigEndian(std::string_view bytes, std::size_t offset, std::size_t count) {
@@ -56,7 +57,8 @@ Result<FileHeader> ReadFileHeader(const std::string& path) {
   file.read(bytes.data(), 100);
   const std::string kind = "expected an episode written by `aerascope run`, found ";
   if (file.gcount() == 0) return Unreadable(path, kind + "an empty file");
-  if (!bytes.starts_with(std::string_view("SQLite format 3\0", 16))) return Unreadable(path, kind + "another kind of file");
+  if (!bytes.starts_with(std::string_view("SQLite format 3\0", 16)))
+    return Unreadable(path, kind + "another kind of file");
   if (file.gcount() < 100) return Unreadable(path, "it is cut off in its first 100 bytes");
   if (BigEndian(bytes, 68, 4) != static_cast<std::uint32_t>(kEpisodeApplicationId)) {
     return Unreadable(path, kind + "another SQLite database");
@@ -64,17 +66,19 @@ Result<FileHeader> ReadFileHeader(const std::string& path) {
   FileHeader header;
   header.version = static_cast<std::int32_t>(BigEndian(bytes, 60, 4));
   if (header.version > kSchemaVersion) {
-    return Unreadable(path, "it was written by a newer aerascope (episode version " + std::to_string(header.version) +
-                                ", this program knows up to " + std::to_string(kSchemaVersion) +
-                                "); use that program or a newer one");
+    return Unreadable(path, "it was written by a newer aerascope (episode version " +
+                                std::to_string(header.version) + ", this program knows up to " +
+                                std::to_string(kSchemaVersion) + "); use that program or a newer one");
   }
   header.page_size = BigEndian(bytes, 16, 2);
   if (header.page_size == 1) header.page_size = 65536;
   header.pages = BigEndian(bytes, 28, 4);
   const std::uint64_t size = fs::file_size(path, error);
-  if (!HasContent(path + "-wal") && !HasContent(path + "-journal") && size < header.page_size * header.pages) {
-    return Unreadable(path, "it is cut off: it should have " + std::to_string(header.page_size * header.pages) +
-                                " bytes and has " + std::to_string(size));
+  if (!HasContent(path + "-wal") && !HasContent(path + "-journal") &&
+      size < header.page_size * header.pages) {
+    return Unreadable(path, "it is cut off: it should have " +
+                                std::to_string(header.page_size * header.pages) + " bytes and has " +
+                                std::to_string(size));
   }
   return header;
 }
@@ -107,7 +111,8 @@ class TemporaryCopy {
   fs::path folder_;
 };
 
-// Lets our SELECTs read plain tables and nothing else: no views, functions or recursion that a crafted file may hold.
+// Lets our SELECTs read plain tables and nothing else: no views, functions or recursion that a crafted file
+// may hold.
 int AllowPlainReading(void*, int action, const char*, const char*, const char*, const char* inside_view) {
   const bool plain = (action == SQLITE_SELECT || action == SQLITE_READ) && inside_view == nullptr;
   return plain ? SQLITE_OK : SQLITE_DENY;
@@ -136,8 +141,8 @@ class OpenFile {
   Error Damaged(const std::string& what) const { return Unreadable(path_, "it is damaged: " + what); }
   bool older() const { return header_.version < kSchemaVersion; }
 
-  // For each column of `table`, its place in SelectSql's rows, or -1 if the file, being older, lacks it. A table that
-  // is missing gives an empty list.
+  // For each column of `table`, its place in SelectSql's rows, or -1 if the file, being older, lacks it. A
+  // table that is missing gives an empty list.
   Result<std::vector<int>> PlacesOf(const StoredTable& table) {
     std::vector<int> places;
     if (!tables_.contains(table.name)) {
@@ -162,7 +167,8 @@ class OpenFile {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       if (places[i] >= 0) columns += (columns.empty() ? "" : ",") + Quoted(table.columns[i].name);
     }
-    return database_.Prepare("SELECT " + columns + " FROM " + Quoted(table.name) + " ORDER BY " + OrderSql(table));
+    return database_.Prepare("SELECT " + columns + " FROM " + Quoted(table.name) + " ORDER BY " +
+                             OrderSql(table));
   }
 
  private:
@@ -193,7 +199,8 @@ class OpenFile {
   }
 
   bool ListTables() {
-    const Statement tables = database_.Prepare("SELECT name FROM sqlite_schema WHERE type='table' AND rootpage>0");
+    const Statement tables =
+        database_.Prepare("SELECT name FROM sqlite_schema WHERE type='table' AND rootpage>0");
     if (!tables.get()) return false;
     std::vector<std::string> names;
     int code = 0;
@@ -220,7 +227,8 @@ class OpenFile {
   std::map<std::string, std::set<std::string>> tables_;  // with their columns, generated ones left out
 };
 
-// ------------------------------------------------------------------------------------------------------------- rows
+// -------------------------------------------------------------------------------------------------------------
+// rows
 
 // Walks the rows of one table in the order of its key.
 class Rows {
@@ -245,7 +253,9 @@ class Rows {
     if (code == SQLITE_DONE) return Ok();
     if (code != SQLITE_ROW) return file_->Trouble();
     at_end_ = false;
-    key_ = sqlite3_column_type(statement_.get(), 0) == SQLITE_INTEGER ? sqlite3_column_int64(statement_.get(), 0) : 0;
+    key_ = sqlite3_column_type(statement_.get(), 0) == SQLITE_INTEGER
+               ? sqlite3_column_int64(statement_.get(), 0)
+               : 0;
     return Ok();
   }
 
@@ -272,8 +282,8 @@ constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
 
 // The rows of a list table that belong to `event`; `read` reads one element after the two key columns.
 template <class Read>
-Status ReadListOf(std::int64_t event, std::int64_t first_position, const std::vector<Term>& contents, Rows* rows,
-                  Read&& read) {
+Status ReadListOf(std::int64_t event, std::int64_t first_position, const std::vector<Term>& contents,
+                  Rows* rows, Read&& read) {
   for (std::int64_t position = first_position; !rows->at_end(); ++position) {
     if (rows->key() > event) return Ok();
     RowReader row = rows->Reader(contents);
@@ -331,7 +341,8 @@ class KindReaderOf : public KindReader {
   }
 };
 
-// --------------------------------------------------------------------------------------------------- the whole file
+// --------------------------------------------------------------------------------------------------- the
+// whole file
 
 // Table descriptions that outlive the rows which point to them.
 struct Tables {
@@ -339,7 +350,8 @@ struct Tables {
   std::vector<StoredTable> events = EventTables();
 
   const StoredTable& Common(std::string_view name) const {
-    return *std::find_if(common.begin(), common.end(), [&](const StoredTable& table) { return table.name == name; });
+    return *std::find_if(common.begin(), common.end(),
+                         [&](const StoredTable& table) { return table.name == name; });
   }
 };
 

@@ -1,8 +1,9 @@
-// Reads episode files: finished ones, those of a killed run (a -wal file lies beside them), and those of a run that is
-// still going on (what is committed by now).
+// Reads episode files: finished ones, those of a killed run (a -wal file lies beside them), and those of a
+// run that is still going on (what is committed by now).
 //
-// The file may come from anyone. Every number, id, enum name and term in it is checked; what does not fit is an error of
-// one sentence, and no file makes the reader crash, hang or take memory out of proportion to the file.
+// The file may come from anyone. Every number, id, enum name and term in it is checked; what does not fit is
+// an error of one sentence, and no file makes the reader crash, hang or take memory out of proportion to the
+// file.
 #pragma once
 
 #include <optional>
@@ -18,9 +19,10 @@ namespace aerascope {
 
 struct EpisodeFile {
   EpisodeHeader header;
-  std::vector<Event> events;             // ids 1, 2, 3 ... without gaps
-  bool complete = false;                 // the run came to its end: EpisodeEnded is last, and the file was finished
-  std::optional<Hash128> stored_digest;  // of the event stream, as the writer computed it; none if not finished
+  std::vector<Event> events;  // ids 1, 2, 3 ... without gaps
+  bool complete = false;      // the run came to its end: EpisodeEnded is last, and the file was finished
+  std::optional<Hash128>
+      stored_digest;  // of the event stream, as the writer computed it; none if not finished
 };
 
 Result<EpisodeFile> ReadEpisode(const std::string& path);

@@ -17,26 +17,29 @@ StoredColumn Text(std::string name, std::string meaning) {
 }
 
 Columns CommonColumns() {
-  return {Integer("seq", "number of the event, from 1, without gaps"),
-          Integer("time_us", "engine time at which it happened, microseconds"),
-          Integer("frame", "sampling periods since the start"),
-          IntegerOrNull("in_simulation", "the simulation it happened in; NULL: it happened in fact"),
-          IntegerOrNull("cause", "the event that most directly caused it; more are in event_cause; NULL: none")};
+  return {
+      Integer("seq", "number of the event, from 1, without gaps"),
+      Integer("time_us", "engine time at which it happened, microseconds"),
+      Integer("frame", "sampling periods since the start"),
+      IntegerOrNull("in_simulation", "the simulation it happened in; NULL: it happened in fact"),
+      IntegerOrNull("cause", "the event that most directly caused it; more are in event_cause; NULL: none")};
 }
 
 template <class Body>
 void AddTablesOfKind(std::vector<StoredTable>* tables) {
-  StoredTable table{std::string(Body::kName), std::string(Body::kMeaning), CommonColumns(), StoredTable::Key::kNumber};
+  StoredTable table{std::string(Body::kName), std::string(Body::kMeaning), CommonColumns(),
+                    StoredTable::Key::kNumber};
   std::vector<StoredTable> lists;
   ForEachField<Body>([&](const auto& field) {
     using Value = std::decay_t<decltype(std::declval<Body>().*(field.member))>;
     const std::string name(field.name);
     const std::string meaning(field.meaning);
     if constexpr (kIsList<Value>) {
-      StoredTable list{table.name + "_" + name,
-                       "The " + name + " of " + table.name + ": " + meaning + ".",
-                       {Integer("event", "the event it belongs to"), Integer("position", "position in the list, from 0")},
-                       StoredTable::Key::kPosition};
+      StoredTable list{
+          table.name + "_" + name,
+          "The " + name + " of " + table.name + ": " + meaning + ".",
+          {Integer("event", "the event it belongs to"), Integer("position", "position in the list, from 0")},
+          StoredTable::Key::kPosition};
       DescribeElement<typename Value::value_type>(meaning, &list.columns);
       lists.push_back(std::move(list));
     } else {
@@ -60,13 +63,16 @@ std::string UnionOverKinds(const std::string& select_before_kind, const std::str
 
 }  // namespace
 
-std::string Quoted(const std::string& name) { return "\"" + name + "\""; }
+std::string Quoted(const std::string& name) {
+  return "\"" + name + "\"";
+}
 
 std::vector<StoredTable> CommonTables() {
   return {
       {"episode",
        "One row: the episode as a whole.",
-       {Integer("id", "always 1"), Text("program_version", "version of the program that wrote the file"),
+       {Integer("id", "always 1"),
+        Text("program_version", "version of the program that wrote the file"),
         IntegerOrNull("events", "number of events; NULL while the episode is not finished"),
         {"digest", "TEXT", true, "hash of the event stream, 32 hexadecimal digits; NULL while not finished"}},
        StoredTable::Key::kNumber},
@@ -76,7 +82,8 @@ std::vector<StoredTable> CommonTables() {
        StoredTable::Key::kText},
       {"file",
        "The files of the scenario: all that is needed to look at the episode elsewhere.",
-       {Integer("position", "order, from 1"), Text("name", "relative name, with slashes"),
+       {Integer("position", "order, from 1"),
+        Text("name", "relative name, with slashes"),
         {"bytes", "BLOB", false, "what the file holds"}},
        StoredTable::Key::kNumber},
       {"content",
@@ -95,7 +102,8 @@ std::vector<StoredTable> CommonTables() {
        StoredTable::Key::kText},
       {"schema_column",
        "What every table and column means.",
-       {Text("table_name", "the table or view"), Text("column_name", "the column; empty for the table itself"),
+       {Text("table_name", "the table or view"),
+        Text("column_name", "the column; empty for the table itself"),
         Text("meaning", "what it says, with the unit")},
        StoredTable::Key::kTwoTexts},
   };
@@ -109,11 +117,14 @@ std::vector<StoredTable> EventTables() {
 
 std::vector<StoredView> Views() {
   return {
-      {"event", "Every event, without what is special to its kind: seq, time_us, frame, in_simulation, cause, kind.",
+      {"event",
+       "Every event, without what is special to its kind: seq, time_us, frame, in_simulation, cause, kind.",
        UnionOverKinds("seq, time_us, frame, in_simulation, cause, KIND AS kind", "")},
       {"confidence_steps",
-       "The confidence of each model over time: its first evidence, then one row an outcome. success is NULL at first.",
-       "SELECT seq, time_us, frame, model, NULL AS success, evidence_positive AS positive, evidence_total AS total,\n"
+       "The confidence of each model over time: its first evidence, then one row an outcome. success is NULL "
+       "at first.",
+       "SELECT seq, time_us, frame, model, NULL AS success, evidence_positive AS positive, evidence_total AS "
+       "total,\n"
        "       evidence_positive / evidence_total AS confidence, strong, cause FROM \"ModelCreated\"\n"
        "UNION ALL\n"
        "SELECT seq, time_us, frame, model, success, after_positive, after_total,\n"
@@ -157,9 +168,12 @@ std::string CreateSql(const StoredTable& table) {
 std::string OrderSql(const StoredTable& table) {
   switch (table.key) {
     case StoredTable::Key::kNumber:
-    case StoredTable::Key::kText: return Quoted(table.columns[0].name);
-    case StoredTable::Key::kTwoTexts: return Quoted(table.columns[0].name) + ", " + Quoted(table.columns[1].name);
-    case StoredTable::Key::kPosition: return "rowid";
+    case StoredTable::Key::kText:
+      return Quoted(table.columns[0].name);
+    case StoredTable::Key::kTwoTexts:
+      return Quoted(table.columns[0].name) + ", " + Quoted(table.columns[1].name);
+    case StoredTable::Key::kPosition:
+      return "rowid";
   }
   return {};
 }
@@ -170,11 +184,12 @@ std::string CreateSql(const StoredView& view) {
 
 std::vector<std::string> IndexSql() {
   std::vector<std::string> statements{"CREATE INDEX event_cause_by_cause ON event_cause(cause)"};
-  // Keys of lists are made here and not by the tables: adding to a table that is ordered by row number is faster.
+  // Keys of lists are made here and not by the tables: adding to a table that is ordered by row number is
+  // faster.
   const auto add_key = [&](const StoredTable& table) {
     if (table.key != StoredTable::Key::kPosition) return;
-    statements.push_back("CREATE UNIQUE INDEX " + Quoted(table.name + "_by_event") + " ON " + Quoted(table.name) +
-                         "(event, position)");
+    statements.push_back("CREATE UNIQUE INDEX " + Quoted(table.name + "_by_event") + " ON " +
+                         Quoted(table.name) + "(event, position)");
   };
   for (const StoredTable& table : CommonTables()) add_key(table);
   for (const StoredTable& table : EventTables()) add_key(table);

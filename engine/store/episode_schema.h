@@ -1,5 +1,6 @@
-// The tables and views of an episode file as data, made from the events' own description (engine/event/event_body.h):
-// one table a kind of event, and one a list inside an event. The writer creates them, docs/event-schema.md prints them.
+// The tables and views of an episode file as data, made from the events' own description
+// (engine/event/event_body.h): one table a kind of event, and one a list inside an event. The writer creates
+// them, docs/event-schema.md prints them.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@ namespace aerascope {
 
 struct StoredColumn {
   std::string name;
-  std::string type;     // INTEGER, REAL, TEXT or BLOB
+  std::string type;  // INTEGER, REAL, TEXT or BLOB
   bool may_be_null = false;
   std::string meaning;  // a sentence or phrase, with the unit
 };

@@ -25,7 +25,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostQueuedEvents = 8192;
 constexpr std::size_t kMostQueuedBytes = 32u << 20;
-// The writer is woken early at this fill; else it looks every kLookEvery, which spares the reasoner the waking.
+// The writer is woken early at this fill; else it looks every kLookEvery, which spares the reasoner the
+// waking.
 constexpr std::size_t kWakeAt = 1024;
 constexpr std::chrono::milliseconds kLookEvery{5};
 constexpr int kEventsPerTransaction = 4096;
@@ -61,7 +62,8 @@ Status MayReplace(const std::string& path) {
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return Ok();
   const Error refusal{"cannot write " + path + ": expected no file or an earlier episode there, found "};
-  if (!std::filesystem::is_regular_file(status)) return Error{refusal.message + "something that is not a file"};
+  if (!std::filesystem::is_regular_file(status))
+    return Error{refusal.message + "something that is not a file"};
   std::ifstream file(path, std::ios::binary);
   std::array<char, kHeaderSize> header{};
   file.read(header.data(), header.size());
@@ -82,7 +84,8 @@ void RemoveEpisode(const std::string& path) {
   for (const char* suffix : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(path + suffix, ignored);
 }
 
-// SQLite counts commits in the file header. How many there were depends on the clock, so the finished file says 1.
+// SQLite counts commits in the file header. How many there were depends on the clock, so the finished file
+// says 1.
 bool FixChangeCounter(const std::string& path) {
   std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
   const char one[4] = {0, 0, 0, 1};
@@ -100,7 +103,8 @@ struct KindStatements {
   std::vector<Statement> lists;
 };
 
-// Everything that touches the database; used by the writer's thread, and by Create and Finish while there is no thread.
+// Everything that touches the database; used by the writer's thread, and by Create and Finish while there is
+// no thread.
 class Store : public ContentIds {
  public:
   // Creates the file with its header; on failure nothing is left behind.
@@ -187,7 +191,8 @@ class Store : public ContentIds {
 
  private:
   bool CreateTables() {
-    if (database_.Execute("PRAGMA page_size=8192; PRAGMA synchronous=OFF; PRAGMA secure_delete=OFF; BEGIN") != SQLITE_OK ||
+    if (database_.Execute("PRAGMA page_size=8192; PRAGMA synchronous=OFF; PRAGMA secure_delete=OFF; BEGIN") !=
+            SQLITE_OK ||
         database_.Execute("PRAGMA application_id=" + std::to_string(kEpisodeApplicationId) +
                           "; PRAGMA user_version=" + std::to_string(kSchemaVersion)) != SQLITE_OK) {
       return false;
@@ -236,14 +241,17 @@ class Store : public ContentIds {
 
   bool InsertTexts(const std::string& sql, const std::vector<std::string>& values) {
     const Statement insert = database_.Prepare(sql);
-    for (std::size_t i = 0; i < values.size(); ++i) BindText(insert.get(), static_cast<int>(i + 1), values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      BindText(insert.get(), static_cast<int>(i + 1), values[i]);
     return insert.get() && sqlite3_step(insert.get()) == SQLITE_DONE;
   }
 
   bool StartLogging() {
-    // Events are added at the end of each table only, so a small cache does. The log is moved into the file every 32 MiB.
+    // Events are added at the end of each table only, so a small cache does. The log is moved into the file
+    // every 32 MiB.
     if (database_.QueryText("PRAGMA journal_mode=WAL") != "wal") return false;
-    if (database_.Execute("PRAGMA synchronous=NORMAL; PRAGMA cache_size=-8000; PRAGMA wal_autocheckpoint=4096") !=
+    if (database_.Execute(
+            "PRAGMA synchronous=NORMAL; PRAGMA cache_size=-8000; PRAGMA wal_autocheckpoint=4096") !=
         SQLITE_OK) {
       return false;
     }
@@ -292,7 +300,8 @@ class Store : public ContentIds {
     });
   }
 
-  // Several rows with one INSERT: a composite state has a handful of causes, and a statement costs more than a row.
+  // Several rows with one INSERT: a composite state has a handful of causes, and a statement costs more than
+  // a row.
   void InsertFurtherCauses(const Event& event) {
     for (std::size_t i = 1; i < event.causes.size() && trouble_.empty();) {
       const std::size_t rows = std::min(event.causes.size() - i, kCausesPerInsert);
@@ -401,13 +410,13 @@ struct EpisodeWriter::State {
   Store store;
 
   std::mutex mutex;
-  std::condition_variable work;   // the writer waits for events, a flush, or the end
-  std::condition_variable room;   // Append waits for the queue to empty, Flush for the commit
+  std::condition_variable work;  // the writer waits for events, a flush, or the end
+  std::condition_variable room;  // Append waits for the queue to empty, Flush for the commit
   std::vector<Event> queue;
   std::size_t queued_bytes = 0;
-  std::int64_t appended = 0;      // events given to Append
-  std::int64_t handled = 0;       // of those: committed, or dropped after trouble
-  bool writer_idle = false;       // waiting without limit: wake it for the first event
+  std::int64_t appended = 0;  // events given to Append
+  std::int64_t handled = 0;   // of those: committed, or dropped after trouble
+  bool writer_idle = false;   // waiting without limit: wake it for the first event
   bool flush = false;
   bool stop = false;
   std::atomic<std::int64_t> committed{0};
@@ -489,7 +498,8 @@ EpisodeWriter::~EpisodeWriter() {
 Result<std::unique_ptr<EpisodeWriter>> EpisodeWriter::Create(const std::string& path, EpisodeHeader header) {
   std::set<std::string> names;
   for (const NamedFile& file : header.files) {
-    if (!names.insert(file.name).second) return Error{"cannot write " + path + ": two files are called " + file.name};
+    if (!names.insert(file.name).second)
+      return Error{"cannot write " + path + ": two files are called " + file.name};
   }
   if (Status allowed = MayReplace(path); !allowed) return allowed.error();
   auto state = std::make_unique<State>();
@@ -526,7 +536,9 @@ void EpisodeWriter::Flush() {
   state.room.wait(lock, [&] { return state.handled >= wanted; });
 }
 
-EventId EpisodeWriter::Committed() const { return {state_->committed.load()}; }
+EventId EpisodeWriter::Committed() const {
+  return {state_->committed.load()};
+}
 
 Result<Hash128> EpisodeWriter::Finish() {
   state_->StopThread();

@@ -1,14 +1,17 @@
 // An EpisodeWriter puts events into a new episode file while the engine reasons on.
 //
-// One thread appends; a thread of the writer's own stores the events in transactions of some thousand, or of what came
-// within 50 ms. A run that is killed leaves a file with every event committed so far, readable as it is. Appending only
-// waits where events come faster than the disk takes them (some thousand are queued at most).
+// One thread appends; a thread of the writer's own stores the events in transactions of some thousand, or of
+// what came within 50 ms. A run that is killed leaves a file with every event committed so far, readable as
+// it is. Appending only waits where events come faster than the disk takes them (some thousand are queued at
+// most).
 //
-// Always true: (1) what was committed is a gapless beginning of what was appended; (2) the same header and events give
-// the same bytes once finished; (3) after Finish() the episode is one file with nothing beside it.
+// Always true: (1) what was committed is a gapless beginning of what was appended; (2) the same header and
+// events give the same bytes once finished; (3) after Finish() the episode is one file with nothing beside
+// it.
 //
-// What can fail: Create (the path cannot be written, or holds something that is not an episode) and Finish (any trouble
-// since: a full disk, an unusable event). After trouble events are dropped and Finish removes the unusable file.
+// What can fail: Create (the path cannot be written, or holds something that is not an episode) and Finish
+// (any trouble since: a full disk, an unusable event). After trouble events are dropped and Finish removes
+// the unusable file.
 #pragma once
 
 #include <memory>
@@ -38,8 +41,8 @@ class EpisodeWriter : public EventSink {
   // The last event that no kill of this process can take away any more; none at first.
   EventId Committed() const;
 
-  // Stores what is left, the digest, the counts and the indexes, and leaves one plain file. Returns the digest of the
-  // event stream. Later calls return the same.
+  // Stores what is left, the digest, the counts and the indexes, and leaves one plain file. Returns the
+  // digest of the event stream. Later calls return the same.
   Result<Hash128> Finish();
 
  private:

@@ -29,14 +29,15 @@ CompositeState Grasp(std::int64_t id, std::int64_t variant) {
 Model Requirement(std::int64_t id, std::int64_t state, std::int64_t target) {
   Model model;
   model.id = {id};
-  model.lhs = {true, MakeIcst({state}, {}, {Term::Variable(0), Term::Variable(1), Term::Variable(2)}), Term::Variable(3),
-               Term::Variable(4)};
-  model.rhs = {true, MakeImdl({target}, {Term::Set({})}, {Term::Variable(0), Term::Variable(1)}), Term::Variable(3),
-               Term::Variable(4)};
+  model.lhs = {true, MakeIcst({state}, {}, {Term::Variable(0), Term::Variable(1), Term::Variable(2)}),
+               Term::Variable(3), Term::Variable(4)};
+  model.rhs = {true, MakeImdl({target}, {Term::Set({})}, {Term::Variable(0), Term::Variable(1)}),
+               Term::Variable(3), Term::Variable(4)};
   return model;
 }
 
-// A run as the reasoner makes it: frames of twenty facts, predictions, outcomes, and now and then new knowledge.
+// A run as the reasoner makes it: frames of twenty facts, predictions, outcomes, and now and then new
+// knowledge.
 std::vector<Event> Run(std::int64_t count) {
   std::vector<Event> events;
   std::int64_t next_object = 1;
@@ -48,12 +49,13 @@ std::vector<Event> Run(std::int64_t count) {
     const TimeInterval interval{{frame * 100'000}, {(frame + 1) * 100'000}};
     add(frame, FrameStarted{interval});
     for (int i = 0; i < 20; ++i) {
-      add(frame, FactObserved{{next_object++},
-                              {true,
-                               MakeValue(Term::Entity("object" + std::to_string(i)), Term::Ontology("position"),
-                                         Term::Number(0.01 * static_cast<double>((frame + i) % 100))),
-                               interval, 1},
-                              FactSource::kSensor});
+      add(frame,
+          FactObserved{{next_object++},
+                       {true,
+                        MakeValue(Term::Entity("object" + std::to_string(i)), Term::Ontology("position"),
+                                  Term::Number(0.01 * static_cast<double>((frame + i) % 100))),
+                        interval, 1},
+                       FactSource::kSensor});
     }
     if (frame % 20 == 0) {
       const std::int64_t state = next_object++;
@@ -89,7 +91,8 @@ void CanonicalFormOfACondition(benchmark::State& state) {
 void CanonicalFormOfSixLikeComponents(benchmark::State& state) {
   const KnowledgeBase kb;
   CompositeState like{{1}, {}, {}, {}};
-  for (int i = 0; i < 6; ++i) like.components.push_back(Component(Term::Variable(i + 2), "size", Term::Ontology("large")));
+  for (int i = 0; i < 6; ++i)
+    like.components.push_back(Component(Term::Variable(i + 2), "size", Term::Ontology("large")));
   for ([[maybe_unused]] auto round : state) benchmark::DoNotOptimize(kb.CanonicalOf(like));
   state.SetItemsProcessed(state.iterations());
 }

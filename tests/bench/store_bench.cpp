@@ -1,4 +1,5 @@
-// How fast events go into an episode file, and come out again. Target: 400 000 small events a second, writing included.
+// How fast events go into an episode file, and come out again. Target: 400 000 small events a second, writing
+// included.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -15,21 +16,24 @@ namespace {
 constexpr std::int64_t kEvents = 500'000;
 
 Term Position(std::int64_t i) {
-  return Term::Struct("vec3", {Term::Number(0.01 * static_cast<double>(i % 100)), Term::Number(0.02), Term::Number(0.3)});
+  return Term::Struct(
+      "vec3", {Term::Number(0.01 * static_cast<double>(i % 100)), Term::Number(0.02), Term::Number(0.3)});
 }
 
 // What a sensor says: five objects, positions that keep coming back at the sensor's resolution.
 Event FactEvent(std::int64_t i) {
   const TimeInterval frame{Time{i / 20 * 100'000}, Time{(i / 20 + 1) * 100'000}};
   static const char* kObjects[] = {"h", "c1", "c2", "s1", "cyl"};
-  return {{i},
-          frame.after,
-          i / 20,
-          {},
-          {},
-          FactObserved{{i},
-                       {true, MakeValue(Term::Entity(kObjects[i % 5]), Term::Ontology("position"), Position(i)), frame, 1},
-                       FactSource::kSensor}};
+  return {
+      {i},
+      frame.after,
+      i / 20,
+      {},
+      {},
+      FactObserved{
+          {i},
+          {true, MakeValue(Term::Entity(kObjects[i % 5]), Term::Ontology("position"), Position(i)), frame, 1},
+          FactSource::kSensor}};
 }
 
 // A composite state of four components that holds: caused by four facts.
@@ -41,7 +45,8 @@ Event IcstEvent(std::int64_t i, std::size_t causes) {
               {},
               {},
               IcstFound{{i},
-                        {true, MakeIcst({12}, {}, {Term::Entity("h"), Term::Entity("c1"), Position(i)}), frame, 0.75}}};
+                        {true, MakeIcst({12}, {}, {Term::Entity("h"), Term::Entity("c1"), Position(i)}),
+                         frame, 0.75}}};
   for (std::size_t c = 1; c <= causes && static_cast<std::int64_t>(c) < i; ++c) {
     event.causes.push_back({i - static_cast<std::int64_t>(c)});
   }
@@ -57,8 +62,10 @@ Event FreshEvent(std::int64_t i) {
 }
 
 Event WorldEvent(std::int64_t i) {
-  WorldStateRecorded world{Time{i * 10'000}, std::vector<double>(49), std::vector<double>(44), std::vector<double>(8)};
-  for (std::size_t k = 0; k < world.qpos.size(); ++k) world.qpos[k] = 0.001 * static_cast<double>(i) + static_cast<double>(k);
+  WorldStateRecorded world{Time{i * 10'000}, std::vector<double>(49), std::vector<double>(44),
+                           std::vector<double>(8)};
+  for (std::size_t k = 0; k < world.qpos.size(); ++k)
+    world.qpos[k] = 0.001 * static_cast<double>(i) + static_cast<double>(k);
   return {{i}, world.at, i, {}, {}, std::move(world)};
 }
 
@@ -78,7 +85,8 @@ class Folder {
   std::filesystem::path path_;
 };
 
-// Events are made before the clock runs; the time is from the first Append to the end of Flush (everything committed).
+// Events are made before the clock runs; the time is from the first Append to the end of Flush (everything
+// committed).
 template <class Make>
 void WriteEvents(benchmark::State& state, std::int64_t count, const Make& make) {
   const Folder folder;
@@ -103,15 +111,21 @@ void WriteEvents(benchmark::State& state, std::int64_t count, const Make& make) 
   state.counters["peak MiB"] = PeakMemoryMiB();
 }
 
-void StoreFactObserved(benchmark::State& state) { WriteEvents(state, kEvents, FactEvent); }
-void StoreFactNeverSeenBefore(benchmark::State& state) { WriteEvents(state, kEvents, FreshEvent); }
+void StoreFactObserved(benchmark::State& state) {
+  WriteEvents(state, kEvents, FactEvent);
+}
+void StoreFactNeverSeenBefore(benchmark::State& state) {
+  WriteEvents(state, kEvents, FreshEvent);
+}
 void StoreIcstFoundOneCause(benchmark::State& state) {
   WriteEvents(state, kEvents, [](std::int64_t i) { return IcstEvent(i, 1); });
 }
 void StoreIcstFoundFourCauses(benchmark::State& state) {
   WriteEvents(state, kEvents, [](std::int64_t i) { return IcstEvent(i, 4); });
 }
-void StoreWorldState(benchmark::State& state) { WriteEvents(state, 50'000, WorldEvent); }
+void StoreWorldState(benchmark::State& state) {
+  WriteEvents(state, 50'000, WorldEvent);
+}
 
 // What the appending thread itself pays for one event, as long as the queue is not full.
 void AppendCostToTheReasoner(benchmark::State& state) {

@@ -21,7 +21,9 @@ TEST(Hash, StreamInPiecesEqualsTheWhole) {
   EXPECT_EQ(hasher.Digest(), HashOf(text));
 }
 
-TEST(Hash, TextHasLeadingZeros) { EXPECT_EQ(ToText(Hash128{1, 0xabc}), "00000000000000010000000000000abc"); }
+TEST(Hash, TextHasLeadingZeros) {
+  EXPECT_EQ(ToText(Hash128{1, 0xabc}), "00000000000000010000000000000abc");
+}
 
 }  // namespace
 }  // namespace aerascope

@@ -63,7 +63,10 @@ TEST(Numbers, ConfidenceHasAtMostThreeDecimals) {
 
 TEST(PrintableText, KeepsWhatIsReadable) {
   EXPECT_EQ(Printable("plain"), "plain");
-  EXPECT_EQ(Printable("gr\xc3\xb6\xc3\x9f" "e \xe6\x97\xa5"), "gr\xc3\xb6\xc3\x9f" "e \xe6\x97\xa5");
+  EXPECT_EQ(Printable("gr\xc3\xb6\xc3\x9f"
+                      "e \xe6\x97\xa5"),
+            "gr\xc3\xb6\xc3\x9f"
+            "e \xe6\x97\xa5");
 }
 
 TEST(PrintableText, ShowsWhatWouldDisturbATerminal) {
@@ -72,7 +75,7 @@ TEST(PrintableText, ShowsWhatWouldDisturbATerminal) {
   EXPECT_EQ(Printable("\xe2\x80\xae"), "\\u{202e}");
   EXPECT_EQ(Printable(std::string("\0", 1)), "\\x00");
   EXPECT_EQ(Printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // half of a surrogate pair
-  EXPECT_EQ(Printable("\xc0\xaf"), "\\xc0\\xaf");            // a longer spelling of "/"
+  EXPECT_EQ(Printable("\xc0\xaf"), "\\xc0\\xaf");           // a longer spelling of "/"
 }
 
 TEST(ClosestWordTo, AMisspelledOne) {

@@ -6,7 +6,9 @@
 namespace aerascope {
 namespace {
 
-constexpr TimeInterval Ms(std::int64_t after, std::int64_t before) { return {{after * 1000}, {before * 1000}}; }
+constexpr TimeInterval Ms(std::int64_t after, std::int64_t before) {
+  return {{after * 1000}, {before * 1000}};
+}
 
 TEST(Synchronous, IsStrictlyCloserThanTenMilliseconds) {
   EXPECT_TRUE(Synchronous({700'000}, {709'999}));
@@ -67,7 +69,8 @@ TEST(TimeText, OtherUnitsAreRead) {
 }
 
 TEST(TimeText, OtherTextIsRefused) {
-  for (const char* text : {"", "s", "ms", "x", "1.5.2s", "1 s", " 1s", "1s ", "nan", "inf", "1e300s", "--1", "0x10"}) {
+  for (const char* text :
+       {"", "s", "ms", "x", "1.5.2s", "1 s", " 1s", "1s ", "nan", "inf", "1e300s", "--1", "0x10"}) {
     EXPECT_EQ(ParseTime(text), std::nullopt) << text;
     EXPECT_EQ(ParseDuration(text), std::nullopt) << text;
   }

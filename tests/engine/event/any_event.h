@@ -1,5 +1,5 @@
-// Events of every kind with varied values in every field, made from a seed through the events' own description, so that
-// a new kind or field is covered without a change here.
+// Events of every kind with varied values in every field, made from a seed through the events' own
+// description, so that a new kind or field is covered without a change here.
 #pragma once
 
 #include <cstdint>
@@ -17,35 +17,88 @@ class AnyEvents {
  public:
   explicit AnyEvents(std::uint64_t seed) : random_(seed) {}
 
-  std::int64_t Below(std::int64_t limit) { return static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(limit)); }
+  std::int64_t Below(std::int64_t limit) {
+    return static_cast<std::int64_t>(random_() % static_cast<std::uint64_t>(limit));
+  }
   bool Chance() { return (random_() & 1) != 0; }
 
   // Names as they come, and names made to break readers.
   std::string Name() {
-    static const std::vector<std::string> kNames{
-        "h", "c1", "position", "nil", "inf", "nan", "infinity", "Infinity", "INF", "NaN", "t5", "d-7", "1e5", "-", "+", "",
-        " ", "a b", "|", "\\", "\"", "'; DROP TABLE event; --", "<script>", "]", ")", "$3", "~c1", "#t", "@", ":", "fact",
-        "line\nbreak", "\x1f\x1e", "\xff\xfe not UTF-8", "gr\xc3\xb6\xc3\x9f" "e", "\xe2\x80\xae" "olleh", "%s%n",
-        std::string("zero\0byte", 9), std::string(300, 'x')};
-    if (Below(3) == 0) return kNames[static_cast<std::size_t>(Below(static_cast<std::int64_t>(kNames.size())))];
+    static const std::vector<std::string> kNames{"h",
+                                                 "c1",
+                                                 "position",
+                                                 "nil",
+                                                 "inf",
+                                                 "nan",
+                                                 "infinity",
+                                                 "Infinity",
+                                                 "INF",
+                                                 "NaN",
+                                                 "t5",
+                                                 "d-7",
+                                                 "1e5",
+                                                 "-",
+                                                 "+",
+                                                 "",
+                                                 " ",
+                                                 "a b",
+                                                 "|",
+                                                 "\\",
+                                                 "\"",
+                                                 "'; DROP TABLE event; --",
+                                                 "<script>",
+                                                 "]",
+                                                 ")",
+                                                 "$3",
+                                                 "~c1",
+                                                 "#t",
+                                                 "@",
+                                                 ":",
+                                                 "fact",
+                                                 "line\nbreak",
+                                                 "\x1f\x1e",
+                                                 "\xff\xfe not UTF-8",
+                                                 "gr\xc3\xb6\xc3\x9f"
+                                                 "e",
+                                                 "\xe2\x80\xae"
+                                                 "olleh",
+                                                 "%s%n",
+                                                 std::string("zero\0byte", 9),
+                                                 std::string(300, 'x')};
+    if (Below(3) == 0)
+      return kNames[static_cast<std::size_t>(Below(static_cast<std::int64_t>(kNames.size())))];
     std::string name;
     for (std::int64_t length = Below(6); length >= 0; --length) name += static_cast<char>('a' + Below(26));
     return name;
   }
 
   double Real() {
-    static const double kReals[] = {0, 1, 0.1, 1.0 / 3, -2.5, 1e-300, 1e300, 4.9e-324, 1.7976931348623157e308,
-                                    0.30000000000000004, 1e15 + 0.5, 123456789.123456789};
+    static const double kReals[] = {0,
+                                    1,
+                                    0.1,
+                                    1.0 / 3,
+                                    -2.5,
+                                    1e-300,
+                                    1e300,
+                                    4.9e-324,
+                                    1.7976931348623157e308,
+                                    0.30000000000000004,
+                                    1e15 + 0.5,
+                                    123456789.123456789};
     if (Chance()) return kReals[Below(std::size(kReals))];
     return std::uniform_real_distribution<double>(-1000, 1000)(random_);
   }
 
   std::int64_t Integer() {
     switch (Below(4)) {
-      case 0: return std::numeric_limits<std::int64_t>::max();
-      case 1: return std::numeric_limits<std::int64_t>::min();
-      case 2: return 0;
-      default: return Below(1'000'000) - 500'000;
+      case 0:
+        return std::numeric_limits<std::int64_t>::max();
+      case 1:
+        return std::numeric_limits<std::int64_t>::min();
+      case 2:
+        return 0;
+      default:
+        return Below(1'000'000) - 500'000;
     }
   }
 
@@ -54,20 +107,34 @@ class AnyEvents {
 
   Term AnyTerm(int depth = 3) {
     switch (Below(depth > 0 ? 14 : 12)) {
-      case 0: return Term::Nil();
-      case 1: return Term::Entity(Name());
-      case 2: return Term::Ontology(Name());
-      case 3: return Term::Number(Real());
-      case 4: return Term::Instant(Instant());
-      case 5: return Term::Span({Below(1'000'000) - 500'000});
-      case 6: return Term::String(Name());
-      case 7: return Term::Bool(Chance());
-      case 8: return Term::Variable(static_cast<int>(Below(20)));
-      case 9: return Term::Wildcard();
-      case 10: return Term::Reference(CompositeStateId{1 + Below(1000)});
-      case 11: return Term::Reference(ModelId{1 + Below(1000)});
-      case 12: return Term::Set(AnyTerms(depth - 1));
-      default: return Term::Struct(Name(), AnyTerms(depth - 1));
+      case 0:
+        return Term::Nil();
+      case 1:
+        return Term::Entity(Name());
+      case 2:
+        return Term::Ontology(Name());
+      case 3:
+        return Term::Number(Real());
+      case 4:
+        return Term::Instant(Instant());
+      case 5:
+        return Term::Span({Below(1'000'000) - 500'000});
+      case 6:
+        return Term::String(Name());
+      case 7:
+        return Term::Bool(Chance());
+      case 8:
+        return Term::Variable(static_cast<int>(Below(20)));
+      case 9:
+        return Term::Wildcard();
+      case 10:
+        return Term::Reference(CompositeStateId{1 + Below(1000)});
+      case 11:
+        return Term::Reference(ModelId{1 + Below(1000)});
+      case 12:
+        return Term::Set(AnyTerms(depth - 1));
+      default:
+        return Term::Struct(Name(), AnyTerms(depth - 1));
     }
   }
   std::vector<Term> AnyTerms(int depth) {
@@ -82,7 +149,8 @@ class AnyEvents {
     event.time = Instant();
     event.frame = Below(1000);
     if (Below(4) == 0) event.simulation = {1 + Below(1000)};
-    for (std::int64_t cause = id - 1; cause > 0 && event.causes.size() < 6 && Chance(); cause -= 1 + Below(5)) {
+    for (std::int64_t cause = id - 1; cause > 0 && event.causes.size() < 6 && Chance();
+         cause -= 1 + Below(5)) {
       event.causes.push_back({cause});
     }
     std::size_t at = 0;
@@ -145,15 +213,11 @@ class AnyEvents {
     for (std::int64_t n = Below(5); n > 0; --n) Fill(&value->emplace_back());
   }
   template <class T>
-    requires std::is_enum_v<T>
-  void Fill(T* value) {
-    *value = static_cast<T>(Below(static_cast<std::int64_t>(kEnumNames<T>.size())));
-  }
+  requires std::is_enum_v<T>
+  void Fill(T* value) { *value = static_cast<T>(Below(static_cast<std::int64_t>(kEnumNames<T>.size()))); }
   template <class T>
-    requires requires { T::Fields(); }
-  void Fill(T* value) {
-    *value = AnyBody<T>();
-  }
+  requires requires { T::Fields(); }
+  void Fill(T* value) { *value = AnyBody<T>(); }
 
   std::mt19937_64 random_;
 };
@@ -163,7 +227,8 @@ template <class T>
 bool SameContent(const T& a, const T& b) {
   if constexpr (requires { T::Fields(); }) {
     bool same = true;
-    ForEachField<T>([&](const auto& field) { same = same && SameContent(a.*(field.member), b.*(field.member)); });
+    ForEachField<T>(
+        [&](const auto& field) { same = same && SameContent(a.*(field.member), b.*(field.member)); });
     return same;
   } else if constexpr (requires { a.begin(); } && !std::is_same_v<T, std::string>) {
     if (a.size() != b.size()) return false;
@@ -177,8 +242,8 @@ bool SameContent(const T& a, const T& b) {
 }
 
 inline bool SameContent(const Event& a, const Event& b) {
-  return a.id == b.id && a.time == b.time && a.frame == b.frame && a.simulation == b.simulation && a.causes == b.causes &&
-         a.body.index() == b.body.index() &&
+  return a.id == b.id && a.time == b.time && a.frame == b.frame && a.simulation == b.simulation &&
+         a.causes == b.causes && a.body.index() == b.body.index() &&
          std::visit(
              [&](const auto& body) {
                return SameContent(body, std::get<std::decay_t<decltype(body)>>(b.body));

@@ -1,4 +1,5 @@
-// Apply is the one way a knowledge base moves: folding any beginning of a run gives the knowledge at that moment.
+// Apply is the one way a knowledge base moves: folding any beginning of a run gives the knowledge at that
+// moment.
 #include "engine/event/apply.h"
 
 #include <gtest/gtest.h>
@@ -25,11 +26,14 @@ std::string Everything(const KnowledgeBase& kb) {
   }
   for (const auto& [id, record] : kb.facts()) text += std::to_string(id.value) + ToText(record.fact) + "\n";
   for (const auto& [id, record] : kb.goals()) text += std::to_string(id.value) + ToText(record.target) + "\n";
-  for (const auto& [id, record] : kb.predictions()) text += std::to_string(id.value) + ToText(record.target) + "\n";
+  for (const auto& [id, record] : kb.predictions())
+    text += std::to_string(id.value) + ToText(record.target) + "\n";
   return text;
 }
 
-Event At(std::int64_t id, std::int64_t ms, EventBody body) { return {{id}, {ms * 1000}, ms / 100, {}, {}, std::move(body)}; }
+Event At(std::int64_t id, std::int64_t ms, EventBody body) {
+  return {{id}, {ms * 1000}, ms / 100, {}, {}, std::move(body)};
+}
 
 TEST(ApplyFold, AnyPrefixEqualsTheStateReachedOnTheWay) {
   EXPECT_TRUE(rc::check([](std::uint64_t seed) {

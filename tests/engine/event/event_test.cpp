@@ -66,7 +66,8 @@ TEST(Causes, AreMissingOnlyFromWhatStandsForItself) {
 
 TEST(EventText, NamesEveryFieldAndTheCauses) {
   Event event{{214}, {700'000}, 7, {}, {{200}, {12}}, PredictionMade{{31}, {5}, {{6}, {7}}, {}, {}}};
-  std::get<PredictionMade>(event.body).target = {true, MakeValue(E("h"), O("position"), N(15)), Ms(800, 900), 0.75};
+  std::get<PredictionMade>(event.body).target = {true, MakeValue(E("h"), O("position"), N(15)), Ms(800, 900),
+                                                 0.75};
   EXPECT_EQ(ToText(event),
             "0.7s #214 PredictionMade prediction=pred_31 model=mdl_5 requirements=[mdl_6, mdl_7] input=- "
             "target=(mk.val h position 15) [0.8s, 0.9s) cfd 0.75 because #200 #12");

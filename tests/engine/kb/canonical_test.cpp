@@ -54,7 +54,8 @@ Term WithVariables(const Term& term, const std::vector<int>& numbers) {
   });
 }
 FactPattern WithVariables(const FactPattern& p, const std::vector<int>& numbers) {
-  return {p.positive, WithVariables(p.payload, numbers), WithVariables(p.after, numbers), WithVariables(p.before, numbers)};
+  return {p.positive, WithVariables(p.payload, numbers), WithVariables(p.after, numbers),
+          WithVariables(p.before, numbers)};
 }
 
 // Reading order of an instance's arguments: all variables but the interval's, ascending.
@@ -64,8 +65,8 @@ Term InstanceOf(const CompositeState& state, const std::map<int, Term>& values) 
   return MakeIcst(state.id, {}, arguments);
 }
 
-// The same condition learned in another order and under other numbers: first a shuffle of the components, then of the
-// numbers of the variables (`numbers` holds at least as many as there are).
+// The same condition learned in another order and under other numbers: first a shuffle of the components,
+// then of the numbers of the variables (`numbers` holds at least as many as there are).
 struct Variant {
   CompositeState state;
   std::vector<int> numbers;
@@ -76,7 +77,8 @@ Variant VariantOf(const CompositeState& state, int variables, std::mt19937_64& r
   std::shuffle(variant.numbers.begin(), variant.numbers.end(), random);
   variant.state.id = {state.id.value + static_cast<std::int64_t>(random() % 1000) * 10 + 10};
   std::shuffle(variant.state.components.begin(), variant.state.components.end(), random);
-  for (FactPattern& component : variant.state.components) component = WithVariables(component, variant.numbers);
+  for (FactPattern& component : variant.state.components)
+    component = WithVariables(component, variant.numbers);
   for (Guard& guard : variant.state.guards) {
     if (guard.target) guard.target = variant.numbers[static_cast<std::size_t>(*guard.target)];
     guard.expression = WithVariables(guard.expression, variant.numbers);
@@ -124,7 +126,8 @@ TEST(CanonicalForm, OfAModelDoesNotDependOnTheOrderOfTheConditionItRefersTo) {
     Library library;
     const CompositeState state = AnyState(any);
     library.Add(state);
-    // A requirement model with the instance of the condition on its left side; its right side uses some arguments.
+    // A requirement model with the instance of the condition on its left side; its right side uses some
+    // arguments.
     const auto model_on = [&](const CompositeState& on, const std::vector<int>& numbers, std::int64_t id) {
       std::map<int, Term> values;
       for (int v = 0; v < kVariablesOfAnyState; ++v) values[numbers[static_cast<std::size_t>(v)]] = V(v);
@@ -147,7 +150,8 @@ TEST(CanonicalForm, OfAModelDoesNotDependOnTheOrderOfTheConditionItRefersTo) {
 
 TEST(CanonicalForm, TellsDifferentConditionsApart) {
   Library library;
-  const CompositeState base{{1}, {Component(V(2), "size", O("large")), Component(V(2), "position", V(3))}, {}, {}};
+  const CompositeState base{
+      {1}, {Component(V(2), "size", O("large")), Component(V(2), "position", V(3))}, {}, {}};
   std::vector<CompositeState> others(5, base);
   others[0].components[0] = Component(V(2), "size", O("small"));
   others[1].components[0] = Component(V(4), "size", O("large"));  // another object

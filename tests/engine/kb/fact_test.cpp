@@ -8,7 +8,9 @@
 namespace aerascope {
 namespace {
 
-Term Holding(std::vector<Term> objects) { return MakeValue(E("h"), O("holding"), Set(std::move(objects))); }
+Term Holding(std::vector<Term> objects) {
+  return MakeValue(E("h"), O("holding"), Set(std::move(objects)));
+}
 
 // The oracles of semantics 10.1.
 TEST(Evidence, OtherValueThroughoutTheIntervalSpeaksAgainst) {
@@ -35,8 +37,9 @@ TEST(Evidence, OtherValueSpeaksForAnAntiFact) {
 TEST(Evidence, SameContentThatOverlapsSpeaksFor) {
   EXPECT_EQ(EvidenceFor(Holds(Holding({E("s")}), Ms(950, 1100)), Holds(Holding({E("s")}), Ms(900, 1000))),
             EvidenceVerdict::kPositive);
-  EXPECT_EQ(EvidenceFor(HoldsNot(Holding({E("s")}), Ms(950, 1100)), HoldsNot(Holding({E("s")}), Ms(900, 1000))),
-            EvidenceVerdict::kPositive);
+  EXPECT_EQ(
+      EvidenceFor(HoldsNot(Holding({E("s")}), Ms(950, 1100)), HoldsNot(Holding({E("s")}), Ms(900, 1000))),
+      EvidenceVerdict::kPositive);
 }
 
 TEST(Evidence, SameContentWithoutOverlapSaysNothing) {
@@ -53,8 +56,10 @@ TEST(Evidence, WildcardInTheTargetIsMetByAnyValue) {
 
 TEST(Evidence, OtherObjectOrAttributeSaysNothing) {
   const Fact target = Holds(MakeValue(E("c1"), O("position"), N(5)), Ms(900, 1000));
-  EXPECT_EQ(EvidenceFor(Holds(MakeValue(E("c2"), O("position"), N(6)), Ms(900, 1000)), target), EvidenceVerdict::kNone);
-  EXPECT_EQ(EvidenceFor(Holds(MakeValue(E("c1"), O("size"), N(6)), Ms(900, 1000)), target), EvidenceVerdict::kNone);
+  EXPECT_EQ(EvidenceFor(Holds(MakeValue(E("c2"), O("position"), N(6)), Ms(900, 1000)), target),
+            EvidenceVerdict::kNone);
+  EXPECT_EQ(EvidenceFor(Holds(MakeValue(E("c1"), O("size"), N(6)), Ms(900, 1000)), target),
+            EvidenceVerdict::kNone);
 }
 
 TEST(Evidence, AntiFactOfAnotherValueSaysNothing) {

@@ -32,7 +32,9 @@ Model Requirement(std::int64_t id, std::int64_t state, std::int64_t target, bool
   Model model;
   model.id = {id};
   model.lhs = {true, MakeIcst({state}, {}, {V(0), V(1), V(2)}), V(3), V(4)};
-  model.rhs = {positive, MakeImdl({target}, {V(2), Struct("ti", {V(3), V(4)})}, {V(0), V(5), V(6), V(7), V(8)}), V(3), V(4)};
+  model.rhs = {positive,
+               MakeImdl({target}, {V(2), Struct("ti", {V(3), V(4)})}, {V(0), V(5), V(6), V(7), V(8)}), V(3),
+               V(4)};
   return model;
 }
 
@@ -52,13 +54,15 @@ TEST(Definitions, OtherTermsAreNone) {
     RC_ASSERT(!CompositeStateFromTerm({1}, term).has_value());
     RC_ASSERT(!ModelFromTerm({1}, term).has_value());
   }));
-  EXPECT_FALSE(CompositeStateFromTerm({1}, Struct("cst", {Set({}), Set({}), Set({})})).has_value()) << "no component";
+  EXPECT_FALSE(CompositeStateFromTerm({1}, Struct("cst", {Set({}), Set({}), Set({})})).has_value())
+      << "no component";
 }
 
 TEST(Instance, ListsAllVariablesButTheInterval) {
   EXPECT_EQ(ArgumentVariables(SizeAndPosition(4)), (std::vector<int>{2, 3, 4}));
   EXPECT_EQ(TemplateVariables(CausalModel(5)), (std::vector<int>{0, 1, 2}));
-  // The example of semantics 1.3: template [v0 ti(v1 v2)], exposed [v3 v4 v7 v8 v9]; the left side's 5 and 6 are not.
+  // The example of semantics 1.3: template [v0 ti(v1 v2)], exposed [v3 v4 v7 v8 v9]; the left side's 5 and 6
+  // are not.
   EXPECT_EQ(ExposedVariables(CausalModel(5)), (std::vector<int>{3, 4, 7, 8, 9}));
 }
 

@@ -21,8 +21,19 @@ TEST(Term, IsEqualByContent) {
 }
 
 TEST(Term, KindsOfTheSameTextDiffer) {
-  const std::vector<Term> terms{E("h"), O("h"), Term::String("h"), Struct("h", {}), N(1), T(1), D(1), Term::Bool(true),
-                                V(1), Term::Reference(CompositeStateId{1}), Term::Reference(ModelId{1}), W(), Set({}),
+  const std::vector<Term> terms{E("h"),
+                                O("h"),
+                                Term::String("h"),
+                                Struct("h", {}),
+                                N(1),
+                                T(1),
+                                D(1),
+                                Term::Bool(true),
+                                V(1),
+                                Term::Reference(CompositeStateId{1}),
+                                Term::Reference(ModelId{1}),
+                                W(),
+                                Set({}),
                                 Term::Nil()};
   for (std::size_t i = 0; i < terms.size(); ++i) {
     for (std::size_t j = 0; j < terms.size(); ++j) {
@@ -79,7 +90,8 @@ TEST(TermCodec, AnyTermIsReadBack) {
 
 TEST(TermCodec, AnyNameIsReadBack) {
   EXPECT_TRUE(rc::check("names of any bytes", [](const std::string& name) {
-    for (const Term& term : {Term::Entity(name), Term::Ontology(name), Term::String(name), Term::Struct(name, {N(1)})}) {
+    for (const Term& term :
+         {Term::Entity(name), Term::Ontology(name), Term::String(name), Term::Struct(name, {N(1)})}) {
       const Result<Term> read = DecodeTerm(Encode(term));
       RC_ASSERT(read.ok());
       RC_ASSERT(*read == term);
@@ -89,7 +101,8 @@ TEST(TermCodec, AnyNameIsReadBack) {
 
 // Names like Infinity were read back as numbers.
 TEST(TermCodec, NamesThatLookLikeNumbersStayNames) {
-  for (const char* name : {"Infinity", "infinity", "INF", "inf", "NaN", "nan", "t5", "d-7", "nil", "1e5", "-1", ""}) {
+  for (const char* name :
+       {"Infinity", "infinity", "INF", "inf", "NaN", "nan", "t5", "d-7", "nil", "1e5", "-1", ""}) {
     const Result<Term> read = DecodeTerm(Encode(Term::Ontology(name)));
     ASSERT_TRUE(read.ok()) << name;
     EXPECT_EQ(*read, Term::Ontology(name)) << name;
@@ -104,9 +117,34 @@ TEST(TermCodec, SpecialNumbersAreReadBack) {
 }
 
 TEST(TermCodec, DamagedTextIsRefusedWithItsPlace) {
-  for (const char* text : {"", "(", "[", "(a", "[a", "[a  b]", "(a]", "$", "$-1", "$99999999999", "~", "~c", "~c0", "~m-3",
-                           "@", "\"abc", "|abc", "\"\\y41\"", "\"\\x4\"", "a b", "1x", "--", "#", "#x", ")", "\xff",
-                           "t9223372036854775807", "[nil nil"}) {
+  for (const char* text : {"",
+                           "(",
+                           "[",
+                           "(a",
+                           "[a",
+                           "[a  b]",
+                           "(a]",
+                           "$",
+                           "$-1",
+                           "$99999999999",
+                           "~",
+                           "~c",
+                           "~c0",
+                           "~m-3",
+                           "@",
+                           "\"abc",
+                           "|abc",
+                           "\"\\y41\"",
+                           "\"\\x4\"",
+                           "a b",
+                           "1x",
+                           "--",
+                           "#",
+                           "#x",
+                           ")",
+                           "\xff",
+                           "t9223372036854775807",
+                           "[nil nil"}) {
     const Result<Term> read = DecodeTerm(text);
     ASSERT_FALSE(read.ok()) << text << " was read as " << Encode(*read);
     EXPECT_THAT(read.error().message, testing::HasSubstr("damaged at byte"));
@@ -121,15 +159,17 @@ TEST(TermCodec, NestingIsBounded) {
 }
 
 TEST(TermCodec, AnyBytesAreReadOrRefused) {
-  EXPECT_TRUE(rc::check("what is read is written back the same way or another, never crashing", [](std::uint64_t seed) {
-    AnyEvents any(seed);
-    std::string text = Encode(any.AnyTerm(4));
-    for (int i = 0; i < 3 && !text.empty(); ++i) {
-      text[static_cast<std::size_t>(any.Below(static_cast<std::int64_t>(text.size())))] = static_cast<char>(any.Below(256));
-    }
-    const Result<Term> read = DecodeTerm(text);
-    if (read.ok()) RC_ASSERT(*DecodeTerm(Encode(*read)) == *read);
-  }));
+  EXPECT_TRUE(rc::check(
+      "what is read is written back the same way or another, never crashing", [](std::uint64_t seed) {
+        AnyEvents any(seed);
+        std::string text = Encode(any.AnyTerm(4));
+        for (int i = 0; i < 3 && !text.empty(); ++i) {
+          text[static_cast<std::size_t>(any.Below(static_cast<std::int64_t>(text.size())))] =
+              static_cast<char>(any.Below(256));
+        }
+        const Result<Term> read = DecodeTerm(text);
+        if (read.ok()) RC_ASSERT(*DecodeTerm(Encode(*read)) == *read);
+      }));
 }
 
 }  // namespace

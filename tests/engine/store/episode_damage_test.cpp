@@ -1,4 +1,5 @@
-// Episodes that were cut short, damaged, or made by someone else: read as far as they are true, or refused in a sentence.
+// Episodes that were cut short, damaged, or made by someone else: read as far as they are true, or refused in
+// a sentence.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sqlite3.h>
@@ -22,12 +23,14 @@ using testing::HasSubstr;
 std::vector<Event> SomeEvents(std::uint64_t seed, int count) {
   AnyEvents any(seed);
   std::vector<Event> events;
-  for (int i = 1; i <= count; ++i) events.push_back(any.AnyEvent(i, static_cast<std::size_t>(i) % kEventKinds));
+  for (int i = 1; i <= count; ++i)
+    events.push_back(any.AnyEvent(i, static_cast<std::size_t>(i) % kEventKinds));
   return events;
 }
 
 void WriteEpisode(const std::string& path, const std::vector<Event>& events) {
-  auto writer = EpisodeWriter::Create(path, {"0.1.0", {{"a", "b"}}, {{"seed.replicode", std::string(5000, 'x')}}});
+  auto writer =
+      EpisodeWriter::Create(path, {"0.1.0", {{"a", "b"}}, {{"seed.replicode", std::string(5000, 'x')}}});
   ASSERT_TRUE(writer.ok()) << writer.error().message;
   for (const Event& event : events) (*writer)->Append(event);
   ASSERT_TRUE((*writer)->Finish().ok());
@@ -48,7 +51,8 @@ std::string ErrorOf(const std::string& path) {
   return file.ok() ? "(read without an error)" : file.error().message;
 }
 
-// ------------------------------------------------------------------------------------------------------------- kill
+// -------------------------------------------------------------------------------------------------------------
+// kill
 
 // Appends for ever and tells through the pipe what is committed; ends by being killed.
 [[noreturn]] void AppendUntilKilled(const std::string& path, std::uint64_t seed, int report) {
@@ -59,7 +63,8 @@ std::string ErrorOf(const std::string& path) {
   for (std::int64_t i = 1;; ++i) {
     (*writer)->Append(any.AnyEvent(i));
     const std::int64_t committed = (*writer)->Committed().value;
-    if (committed != told && write(report, &committed, sizeof committed) == sizeof committed) told = committed;
+    if (committed != told && write(report, &committed, sizeof committed) == sizeof committed)
+      told = committed;
     if (i % 64 == 0) usleep(300);
   }
 }
@@ -116,7 +121,8 @@ TEST(KilledRun, IsReadWhereNothingMayBeWritten) {
     if (!with_shared_memory) std::filesystem::remove(folder / "a.episode-shm");
     std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
     for (const char* suffix : {"", "-wal"}) {
-      std::filesystem::permissions(folder / (std::string("a.episode") + suffix), std::filesystem::perms(0444));
+      std::filesystem::permissions(folder / (std::string("a.episode") + suffix),
+                                   std::filesystem::perms(0444));
     }
     const pid_t reader = fork();
     if (reader == 0) {
@@ -132,7 +138,8 @@ TEST(KilledRun, IsReadWhereNothingMayBeWritten) {
   }
 }
 
-// ----------------------------------------------------------------------------------------------------------- damage
+// -----------------------------------------------------------------------------------------------------------
+// damage
 
 TEST(DamagedEpisode, CutOffAnywhereIsRefused) {
   const TemporaryFolder folder;
@@ -199,11 +206,13 @@ TEST(DamagedEpisode, DamagedLogOfAKilledRunIsReadToWhereItIsWhole) {
     const Result<EpisodeFile> file = ReadEpisode(folder / "b");
     ASSERT_TRUE(file.ok()) << file.error().message;
     ASSERT_LE(file->events.size(), events.size());
-    for (std::size_t i = 0; i < file->events.size(); ++i) ASSERT_TRUE(SameContent(file->events[i], events[i]));
+    for (std::size_t i = 0; i < file->events.size(); ++i)
+      ASSERT_TRUE(SameContent(file->events[i], events[i]));
   }
 }
 
-// ---------------------------------------------------------------------------------------------------- not an episode
+// ---------------------------------------------------------------------------------------------------- not an
+// episode
 
 TEST(NotAnEpisode, EachKindIsRefusedInItsOwnWords) {
   const TemporaryFolder folder;
@@ -231,7 +240,8 @@ TEST(OtherVersions, OlderIsReadWithoutWhatItDoesNotHaveYet) {
   const TemporaryFolder folder;
   std::vector<Event> events = SomeEvents(5, 28);
   std::erase_if(events, [](const Event& e) { return std::holds_alternative<CommandRefused>(e.body); });
-  for (std::size_t i = 0; i < events.size(); ++i) events[i].id = {static_cast<std::int64_t>(i) + 1}, events[i].causes.clear();
+  for (std::size_t i = 0; i < events.size(); ++i)
+    events[i].id = {static_cast<std::int64_t>(i) + 1}, events[i].causes.clear();
   WriteEpisode(folder / "a", events);
   const std::string drop =
       "DROP VIEW event; DROP VIEW chain_edges; DROP INDEX CommandRefused_by_cause; DROP TABLE CommandRefused;"
@@ -293,17 +303,21 @@ INSTANTIATE_TEST_SUITE_P(
         WrongContent{"UPDATE episode SET events=7", "it should have 7 events and has 120"},
         WrongContent{"DROP VIEW chain_edges; DROP TABLE event_cause", "event_cause is missing"},
         // A view in place of a table could run for ever.
-        WrongContent{"DROP TABLE GoalFailed; CREATE VIEW GoalFailed AS WITH RECURSIVE x(seq) AS (SELECT 1 UNION ALL "
-                     "SELECT seq+1 FROM x) SELECT seq, 0 AS time_us, 0 AS frame, NULL AS in_simulation, NULL AS cause, "
-                     "1 AS goal FROM x",
-                     "GoalFailed is missing"},
+        WrongContent{
+            "DROP TABLE GoalFailed; CREATE VIEW GoalFailed AS WITH RECURSIVE x(seq) AS (SELECT 1 UNION ALL "
+            "SELECT seq+1 FROM x) SELECT seq, 0 AS time_us, 0 AS frame, NULL AS in_simulation, NULL AS "
+            "cause, "
+            "1 AS goal FROM x",
+            "GoalFailed is missing"},
         WrongContent{"DROP TABLE GoalFailed; CREATE VIRTUAL TABLE GoalFailed USING fts5(seq,time_us,frame)",
                      "GoalFailed is missing"},
-        WrongContent{"DROP TABLE GoalFailed; CREATE TABLE GoalFailed(seq INTEGER PRIMARY KEY, time_us AS (0), frame, "
-                     "in_simulation, cause, goal)",
-                     "time_us of the table GoalFailed is missing"}));
+        WrongContent{
+            "DROP TABLE GoalFailed; CREATE TABLE GoalFailed(seq INTEGER PRIMARY KEY, time_us AS (0), frame, "
+            "in_simulation, cause, goal)",
+            "time_us of the table GoalFailed is missing"}));
 
-// -------------------------------------------------------------------------------------------------------- full disk
+// --------------------------------------------------------------------------------------------------------
+// full disk
 
 TEST(FullDisk, IsToldOnceAndLeavesNoFile) {
   const TemporaryFolder folder;
@@ -337,7 +351,8 @@ TEST(FullDisk, NoRoomForTheHeaderIsRefusedAtOnce) {
     signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{1 << 16, 1 << 16};
     setrlimit(RLIMIT_FSIZE, &limit);
-    auto writer = EpisodeWriter::Create(folder / "a.episode", {"", {}, {{"mesh", std::string(1 << 20, 'm')}}});
+    auto writer =
+        EpisodeWriter::Create(folder / "a.episode", {"", {}, {{"mesh", std::string(1 << 20, 'm')}}});
     _exit(writer.ok() ? 1 : 0);
   }
   int status = 0;

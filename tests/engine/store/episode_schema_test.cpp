@@ -42,12 +42,14 @@ std::string Ask(const std::string& path, const std::string& sql) {
   return answer;
 }
 
-// ------------------------------------------------------------------------------------------------------ the page
+// ------------------------------------------------------------------------------------------------------ the
+// page
 
 std::string TableRows(const StoredTable& table) {
   std::string rows;
   for (const StoredColumn& column : table.columns) {
-    rows += "| `" + column.name + "` | " + column.type + (column.may_be_null ? " or NULL" : "") + " | " + column.meaning + " |\n";
+    rows += "| `" + column.name + "` | " + column.type + (column.may_be_null ? " or NULL" : "") + " | " +
+            column.meaning + " |\n";
   }
   return rows;
 }
@@ -59,7 +61,8 @@ std::string SchemaPage() {
      `AERASCOPE_UPDATE_GOLDEN=1 ./aerascope test engine/store`. -->
 
 An episode is one SQLite file (`application_id` )" +
-                     std::to_string(kEpisodeApplicationId) + " = \"AERA\", `user_version` " + std::to_string(kSchemaVersion) +
+                     std::to_string(kEpisodeApplicationId) + " = \"AERA\", `user_version` " +
+                     std::to_string(kSchemaVersion) +
                      R"( = version of this schema).
 Any SQLite program reads it; the meaning of each column below is also in the file, in the table `schema_column`.
 Times are whole microseconds of engine time. A *content id* refers to `content`. Numbers of objects (facts, goals, models ...)
@@ -69,8 +72,8 @@ are unique within the episode. A finished episode has its digest in the table `e
 
 )";
   for (const StoredTable& table : CommonTables()) {
-    page += "### " + table.name + "\n\n" + table.meaning + "\n\n| column | type | meaning |\n|---|---|---|\n" +
-            TableRows(table) + "\n";
+    page += "### " + table.name + "\n\n" + table.meaning +
+            "\n\n| column | type | meaning |\n|---|---|---|\n" + TableRows(table) + "\n";
   }
   page += R"(## Views
 
@@ -79,7 +82,9 @@ are unique within the episode. A finished episode has its digest in the table `e
 )";
   for (const StoredView& view : Views()) page += "| `" + view.name + "` | " + view.meaning + " |\n";
   const std::vector<StoredTable> events = EventTables();
-  page += "\n## Events\n\nA table a kind. Each begins with these columns:\n\n| column | type | meaning |\n|---|---|---|\n";
+  page +=
+      "\n## Events\n\nA table a kind. Each begins with these columns:\n\n| column | type | meaning "
+      "|\n|---|---|---|\n";
   StoredTable common = events[0];
   common.columns.resize(5);
   page += TableRows(common) + "\nand goes on with its own:\n\n";
@@ -87,7 +92,8 @@ are unique within the episode. A finished episode has its digest in the table `e
     const bool list = table.key == StoredTable::Key::kPosition;
     if (!list) table.columns.erase(table.columns.begin(), table.columns.begin() + 5);
     page += (list ? "#### " : "### ") + table.name + "\n\n" + table.meaning + "\n\n";
-    if (!table.columns.empty()) page += "| column | type | meaning |\n|---|---|---|\n" + TableRows(table) + "\n";
+    if (!table.columns.empty())
+      page += "| column | type | meaning |\n|---|---|---|\n" + TableRows(table) + "\n";
   }
   page.pop_back();
   return page;
@@ -96,10 +102,12 @@ are unique within the episode. A finished episode has its digest in the table `e
 TEST(SchemaPage, IsWhatTheProgramWrites) {
   const std::string path = std::string(AERASCOPE_SOURCE_DIR) + "/docs/event-schema.md";
   if (std::getenv("AERASCOPE_UPDATE_GOLDEN") != nullptr) WriteFile(path, SchemaPage());
-  EXPECT_EQ(FileBytes(path), SchemaPage()) << "set AERASCOPE_UPDATE_GOLDEN=1 and run again to write the page anew";
+  EXPECT_EQ(FileBytes(path), SchemaPage())
+      << "set AERASCOPE_UPDATE_GOLDEN=1 and run again to write the page anew";
 }
 
-// ----------------------------------------------------------------------------------------------------- the tables
+// ----------------------------------------------------------------------------------------------------- the
+// tables
 
 TEST(Schema, NamesDoNotCollide) {
   std::set<std::string> names;
@@ -150,7 +158,8 @@ TEST_F(StoredEpisode, IsSoundAndStrict) {
   EXPECT_EQ(Answer("PRAGMA application_id"), "1095062081\n");
   EXPECT_EQ(Answer("PRAGMA user_version"), std::to_string(kSchemaVersion) + "\n");
   EXPECT_EQ(Answer("PRAGMA journal_mode"), "delete\n");
-  EXPECT_EQ(Answer("SELECT name FROM pragma_table_list WHERE schema='main' AND type='table' AND NOT strict AND name NOT "
+  EXPECT_EQ(Answer("SELECT name FROM pragma_table_list WHERE schema='main' AND type='table' AND NOT strict "
+                   "AND name NOT "
                    "LIKE 'sqlite%'"),
             "");
 }
@@ -162,32 +171,41 @@ TEST_F(StoredEpisode, EventViewHasAllKindsInOneList) {
 }
 
 TEST_F(StoredEpisode, ConfidenceStepsAndTimelineOfAModel) {
-  EXPECT_EQ(Answer("SELECT seq, model, success, positive, total, confidence FROM confidence_steps ORDER BY seq"),
-            "2|5|NULL|0.75|1.0|0.75\n3|5|1|1.75|2.0|0.875\n");
+  EXPECT_EQ(
+      Answer("SELECT seq, model, success, positive, total, confidence FROM confidence_steps ORDER BY seq"),
+      "2|5|NULL|0.75|1.0|0.75\n3|5|1|1.75|2.0|0.875\n");
   EXPECT_EQ(Answer("SELECT seq, what, confidence FROM model_timeline WHERE model=5 ORDER BY seq"),
             "2|created by analogy|0.75\n3|right|0.875\n5|deleted|NULL\n");
 }
 
 TEST_F(StoredEpisode, ChainsAreWalkedInSql) {
-  EXPECT_EQ(Answer("SELECT cause, effect FROM chain_edges ORDER BY effect, cause"), "1|2\n1|3\n2|3\n3|4\n3|5\n");
-  EXPECT_EQ(Answer("WITH RECURSIVE why(seq) AS (VALUES(5) UNION SELECT cause FROM chain_edges JOIN why ON effect=seq) "
-                   "SELECT group_concat(seq) FROM (SELECT seq FROM why ORDER BY seq)"),
-            "1,2,3,5\n");
+  EXPECT_EQ(Answer("SELECT cause, effect FROM chain_edges ORDER BY effect, cause"),
+            "1|2\n1|3\n2|3\n3|4\n3|5\n");
+  EXPECT_EQ(
+      Answer(
+          "WITH RECURSIVE why(seq) AS (VALUES(5) UNION SELECT cause FROM chain_edges JOIN why ON effect=seq) "
+          "SELECT group_concat(seq) FROM (SELECT seq FROM why ORDER BY seq)"),
+      "1,2,3,5\n");
 }
 
 TEST_F(StoredEpisode, ListsContentsAndCountsAreTables) {
   EXPECT_EQ(Answer("SELECT * FROM EpisodeStarted_parameters"), "1|0|psi|0.5\n1|1|min|2\n");
-  EXPECT_EQ(Answer("SELECT text, causal_model, requirement FROM SimulationStarted_steps JOIN content ON id=command"),
-            "@h|5|NULL\n");
-  EXPECT_EQ(Answer("SELECT kind, events FROM event_count WHERE events>0 ORDER BY kind"),
-            "EpisodeStarted|1\nEvidenceUpdated|1\nModelCreated|1\nModelStateChanged|1\nSimulationStarted|1\n");
+  EXPECT_EQ(
+      Answer(
+          "SELECT text, causal_model, requirement FROM SimulationStarted_steps JOIN content ON id=command"),
+      "@h|5|NULL\n");
+  EXPECT_EQ(
+      Answer("SELECT kind, events FROM event_count WHERE events>0 ORDER BY kind"),
+      "EpisodeStarted|1\nEvidenceUpdated|1\nModelCreated|1\nModelStateChanged|1\nSimulationStarted|1\n");
   EXPECT_EQ(Answer("SELECT id, program_version, events, length(digest) FROM episode"), "1|0.1.0|5|32\n");
 }
 
 TEST_F(StoredEpisode, SaysItselfWhatItsColumnsMean) {
-  EXPECT_EQ(Answer("SELECT meaning FROM schema_column WHERE table_name='GoalSet' AND column_name='super_goal'"),
-            "the goal it serves; NULL: none\n");
-  EXPECT_THAT(Answer("SELECT sql FROM sqlite_schema WHERE name='GoalSet'"), testing::HasSubstr("-- the goal it serves"));
+  EXPECT_EQ(
+      Answer("SELECT meaning FROM schema_column WHERE table_name='GoalSet' AND column_name='super_goal'"),
+      "the goal it serves; NULL: none\n");
+  EXPECT_THAT(Answer("SELECT sql FROM sqlite_schema WHERE name='GoalSet'"),
+              testing::HasSubstr("-- the goal it serves"));
 }
 
 }  // namespace
