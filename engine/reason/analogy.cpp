@@ -88,8 +88,11 @@ void CollectEntities(const Term& term, std::vector<Term>* entities) {
   });
 }
 
-Comparison CompareUnder(const KnowledgeBase& knowledge, const ModelRecord& requirement, const CompositeState& state,
-                        const Situation& situation, const Bindings& bindings, const CanBringAbout& can_bring_about) {
+// Nothing if the assignment asks for other individuals than those that are there.
+std::optional<Comparison> CompareUnder(const KnowledgeBase& knowledge, const ModelRecord& requirement,
+                                       const CompositeState& state, const Situation& situation,
+                                       const Bindings& goal_bindings, const Bindings& bindings,
+                                       const CanBringAbout& can_bring_about) {
   Comparison comparison;
   comparison.requirement = requirement.model.id;
   comparison.source = state.id;
@@ -110,7 +113,10 @@ Comparison CompareUnder(const KnowledgeBase& knowledge, const ModelRecord& requi
       component.counterpart = counterpart->fact.payload;
       if (component.status == ComponentStatus::kMissed) ++counterparts_of_missed;
     }
-    if (component.status == ComponentStatus::kAchievable) ++comparison.achievable;
+    if (component.status == ComponentStatus::kAchievable) {
+      if (!KeepsToIndividuals(state.components[i], situation, goal_bindings, bindings)) return std::nullopt;
+      ++comparison.achievable;
+    }
     if (component.status != ComponentStatus::kMissed) comparison.kept.push_back(i);
     comparison.components.push_back(std::move(component));
   }
@@ -191,22 +197,35 @@ ComponentStatus StatusOf(const FactPattern& component, const KnowledgeBase& know
   return ComponentStatus::kAchievable;
 }
 
+bool KeepsToIndividuals(const FactPattern& component, const Situation& situation, const Bindings& goal_bindings,
+                        const Bindings& chosen) {
+  if (situation.FindMatch(component.payload, component.positive, goal_bindings) == Situation::npos) return true;
+  Bindings individuals = goal_bindings;
+  for (std::size_t v = 0; v < chosen.size(); ++v) {
+    const Term* value = chosen.Find(static_cast<int>(v));
+    if (value && value->is(TermKind::kEntity)) individuals.Set(static_cast<int>(v), *value);
+  }
+  return situation.FindMatch(component.payload, component.positive, individuals) != Situation::npos;
+}
+
 Comparison Compare(const KnowledgeBase& knowledge, const ModelRecord& requirement, const Situation& situation,
                    const Bindings& bindings, const Term& goal, const CanBringAbout& can_bring_about,
                    const ReasonerParameters& parameters) {
   const CompositeState& state = knowledge.Find(RequiredState(requirement.model))->state;
   std::optional<Comparison> best;
   for (const Bindings& assignment : Assignments(state, situation, bindings)) {
-    Comparison comparison = CompareUnder(knowledge, requirement, state, situation, assignment, can_bring_about);
+    auto comparison = CompareUnder(knowledge, requirement, state, situation, bindings, assignment, can_bring_about);
+    if (!comparison) continue;
     // Something must be missing, or there is nothing to generalise; then the most that is seen counts, before what
     // could be brought about.
     const auto rank = [&](const Comparison& c) {
       const bool partial = c.kept.size() < state.components.size();
       return std::tuple(partial, c.matched, c.achievable);
     };
-    if (!best || rank(comparison) > rank(*best)) best = std::move(comparison);
+    if (!best || rank(*comparison) > rank(*best)) best = std::move(comparison);
     if (parameters.analogy_mode == AnalogyMode::kOpenaera) break;
   }
+  if (!best) best = CompareUnder(knowledge, requirement, state, situation, bindings, bindings, can_bring_about);
   best->rejection = Judge(*best, state, requirement.model, goal, parameters);
   best->confidence = parameters.analogy_mode == AnalogyMode::kOpenaera
                          ? kOpenaeraConfidence

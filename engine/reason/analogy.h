@@ -33,6 +33,12 @@ struct Comparison {
 // Could any model bring about a fact with this payload (variables match anything)?
 using CanBringAbout = std::function<bool(const Term& payload)>;
 
+// A component that may be brought about must not ask for another individual than the one now in its place: with s1 in the
+// hand, letting go is about s1, not about something that could be taken first. True if under `chosen` the component
+// keeps to an individual that matches it under the goal's own bindings (or nothing matches it there).
+bool KeepsToIndividuals(const FactPattern& component, const Situation& situation, const Bindings& goal_bindings,
+                        const Bindings& chosen);
+
 // Compares. `bindings` are those of the composite state that the goal gives; `goal` is the goal's payload.
 Comparison Compare(const KnowledgeBase& knowledge, const ModelRecord& requirement, const Situation& situation,
                    const Bindings& bindings, const Term& goal, const CanBringAbout& can_bring_about,

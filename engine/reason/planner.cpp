@@ -267,6 +267,11 @@ class Planner {
     // The fewest sub-goals first; more only if these lead nowhere.
     std::vector<Arrangement> arrangements;
     Arrange(state, from, {bindings, {}}, 0, &arrangements);
+    std::erase_if(arrangements, [&](const Arrangement& arrangement) {
+      return std::any_of(arrangement.deferred.begin(), arrangement.deferred.end(), [&](std::size_t i) {
+        return !KeepsToIndividuals(state.components[i], from, bindings, arrangement.bindings);
+      });
+    });
     std::stable_sort(arrangements.begin(), arrangements.end(), [](const Arrangement& a, const Arrangement& b) {
       return a.deferred.size() < b.deferred.size();
     });

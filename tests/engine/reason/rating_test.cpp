@@ -70,9 +70,13 @@ RC_GTEST_PROP(RatingLaw, ConfidenceStaysAShareAndOnlyOutcomesMoveIt, (const std:
     const Rating before = rating;
     rating = Rate(rating, success, {});
     RC_ASSERT(rating.evidence.rate() >= 0 && rating.evidence.rate() <= 1);
-    if (before.state == ModelState::kDeleted) RC_ASSERT(rating == before);
-    if (before.state == ModelState::kActive && success) RC_ASSERT(rating.evidence.rate() >= before.evidence.rate() - 1e-12);
-    if (before.state == ModelState::kActive && !success) RC_ASSERT(rating.evidence.rate() <= before.evidence.rate() + 1e-12);
+    if (before.state == ModelState::kDeleted) {
+      RC_ASSERT(rating == before);
+    } else if (before.state == ModelState::kActive && success) {
+      RC_ASSERT(rating.evidence.rate() >= before.evidence.rate() - 1e-12);
+    } else if (before.state == ModelState::kActive) {
+      RC_ASSERT(rating.evidence.rate() <= before.evidence.rate() + 1e-12);
+    }
   }
 }
 
