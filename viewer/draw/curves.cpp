@@ -102,7 +102,9 @@ class Curve {
     const int over_y = point.y - 10;
     const bool taken_by_curve = bad || over_x < point.x - 24;
     if (!taken_by_curve && Label({over_x, over_y - 10, width, 12}, step.reason, bad)) return;
-    if (point.x - 10 - width < area_.x + 40) return;
+    // There the curve comes from above or below, if it does not run level.
+    const bool level = At(history_.steps[index - 1]).y == point.y;
+    if (level || point.x - 10 - width < area_.x + 40) return;
     Label({point.x - 10 - width, point.y - 6, width, 12}, step.reason, bad);
   }
 

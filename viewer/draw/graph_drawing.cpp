@@ -153,8 +153,13 @@ class Drawer {
     std::string text = "by analogy: " + std::to_string(compared.matched + compared.achievable) + " of " +
                        std::to_string(compared.total) + " conditions hold";
     for (const ComparedComponent& component : compared.components) {
-      if (component.status != ComponentStatus::kMissed || !IsValue(component.pattern)) continue;
-      if (component.pattern[0].is(TermKind::kEntity)) return text + " for " + component.pattern[0].name();
+      if (component.status != ComponentStatus::kMissed) continue;
+      // What a condition is about comes first in it, in a value as in an instance.
+      std::string about;
+      ForEachTerm(component.pattern, [&about](const Term& term) {
+        if (about.empty() && term.is(TermKind::kEntity)) about = term.name();
+      });
+      if (!about.empty()) return text + " for " + about;
     }
     return text;
   }

@@ -15,11 +15,14 @@ constexpr std::array<double, kKinds> kWeights = {6, 4, 4, 3.5};
 // How much less each further one of a kind weighs.
 constexpr std::array<double, kKinds> kWear = {0.2, 0.5, 1, 1};
 
-// All candidates, one a time: the weightiest kind, and of that the first event.
+// All candidates, one a frame (what happens in one frame is seen on one picture): the weightiest kind, and of
+// that the first event.
 std::vector<KeyMoment> Candidates(const Run& run, const EpisodeSummary& summary) {
-  std::map<Time, KeyMoment> by_time;
+  std::map<std::size_t, KeyMoment> by_frame;
   const auto add = [&](Time at, MomentKind kind, EventId event) {
-    const auto [found, fresh] = by_time.emplace(at, KeyMoment{at, kind, event, ""});
+    const std::optional<std::size_t> frame = run.FrameAt(at);
+    if (frame) at = run.frames()[*frame].interval.after;
+    const auto [found, fresh] = by_frame.emplace(frame.value_or(0), KeyMoment{at, kind, event, ""});
     if (!fresh && kind < found->second.kind) found->second = {at, kind, event, ""};
   };
   for (const DriveOutcome& drive : summary.drives) {
@@ -35,7 +38,7 @@ std::vector<KeyMoment> Candidates(const Run& run, const EpisodeSummary& summary)
       add(record->created, MomentKind::kLearned, record->event);
   }
   std::vector<KeyMoment> candidates;
-  for (auto& [at, moment] : by_time) candidates.push_back(std::move(moment));
+  for (auto& [frame, moment] : by_frame) candidates.push_back(std::move(moment));
   return candidates;
 }
 
@@ -136,9 +139,11 @@ std::vector<KeyMoment> MomentsAt(const Run& run, const std::vector<Time>& times)
   const std::vector<KeyMoment> candidates = Candidates(run, Summarise(run));
   std::vector<KeyMoment> moments;
   for (const Time at : times) {
-    const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                    [at](const KeyMoment& candidate) { return candidate.at == at; });
+    const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const KeyMoment& candidate) {
+      return run.FrameAt(candidate.at) == run.FrameAt(at);
+    });
     moments.push_back(found != candidates.end() ? *found : KeyMoment{at, MomentKind::kStart, {}, ""});
+    moments.back().at = at;
     moments.back().caption = CaptionOf(run, moments.back());
   }
   return moments;

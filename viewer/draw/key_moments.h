@@ -13,7 +13,7 @@ namespace aerascope {
 enum class MomentKind { kGoalFailed, kGoalReached, kAnalogy, kLearned, kStart };
 
 struct KeyMoment {
-  Time at;
+  Time at;                               // the start of the frame
   MomentKind kind = MomentKind::kStart;  // the weightiest thing that happened then
   EventId event;                         // that thing; invalid for the start
   std::string caption;                   // one or two sentences

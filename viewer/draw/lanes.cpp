@@ -12,7 +12,7 @@
 namespace aerascope {
 namespace {
 
-constexpr int kLabelWidth = 150;
+constexpr int kLabelWidth = 120;
 constexpr int kRowHeight = 28;
 constexpr int kBarHeight = 20;
 constexpr std::size_t kMaxRows = 5;      // of one lane

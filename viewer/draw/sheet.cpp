@@ -113,7 +113,7 @@ class Sheet {
   void Heading(int x, int y, const std::string& text) { svg_.Text(x, y, text, {"d-b", 18}); }
 
   void DrawHead() {
-    constexpr int kProvenanceWidth = 430;
+    constexpr int kProvenanceWidth = 480;
     constexpr int kTitleWidth = kContentWidth - kProvenanceWidth - 24;
     svg_.Text(kMargin, 70, FitText(run_.title(), kTitleWidth, 32, TextWeight::kBold), {"d-b", 32});
     int base_line = 106;
@@ -135,7 +135,7 @@ class Sheet {
              Plural(static_cast<std::size_t>(summary_.frames), "frame", "frames") + ", " +
              Plural(static_cast<std::size_t>(summary_.events), "event", "events");
     std::string second;
-    if (!run_.header().program_version.empty()) second = "aerascope " + run_.header().program_version + ", ";
+    if (!run_.header().program_version.empty()) second = run_.header().program_version + ", ";
     if (!run_.started().world.empty()) second += run_.started().world + " world, ";
     second += "seed " + std::to_string(run_.started().seed);
     if (run_.stored_digest()) second += ", digest " + ToText(*run_.stored_digest()).substr(0, 8);
@@ -234,7 +234,7 @@ class Sheet {
     Heading(kMargin, y_ + 18, "What happened");
     const std::string note = frames_.note.empty() ? "No pictures were made for this sheet." : frames_.note;
     svg_.Text(kRight, y_ + 18, FitText(note, 900, 13), {"d-3", 13, TextAnchor::kEnd});
-    constexpr double kScale = 1.05;
+    constexpr double kScale = 1;
     svg_.Open("g", {{"transform", "translate(" + std::to_string(kMargin) + " " + std::to_string(y_ + 40) +
                                       ") scale(" + SvgNumber(kScale) + ")"}});
     const int height = DrawLanes(svg_, run_, summary_, static_cast<int>(kContentWidth / kScale));
@@ -287,9 +287,10 @@ class Sheet {
   // Takes out what has no room on paper, and says so.
   static std::string LeaveOut(TriadLayout& layout) {
     std::size_t parts = 0;
+    std::size_t drives = 0;
     std::erase_if(layout.bands, [&](const TriadBand& band) {
-      if (band.kind != BandKind::kOtherStates) return false;
-      parts = band.rows + band.hidden_rows;
+      if (band.kind == BandKind::kCausalModel) return false;
+      (band.kind == BandKind::kDriveModels ? drives : parts) = band.rows + band.hidden_rows;
       return true;
     });
     std::size_t bands = 0;
@@ -307,6 +308,10 @@ class Sheet {
     if (parts > 0) {
       sentences.push_back("Not drawn: " + Plural(parts, "composite state", "composite states") +
                           " that no requirement asks for directly.");
+    }
+    if (drives > 0) {
+      sentences.push_back((parts > 0 ? "Nor " : "Not drawn: ") +
+                          Plural(drives, "drive model", "drive models") + ".");
     }
     return Join(sentences, " ");
   }
@@ -342,8 +347,8 @@ class Sheet {
     std::size_t left_out = 0;
   };
 
-  // What was made by analogy; then what was learned otherwise and put to the test, as far as there is room
-  // beside the graph. Where nothing was learned: whatever was put to the test.
+  // What was made by analogy; then what was learned otherwise and became more or less sure, as far as there
+  // is room beside the graph. Where nothing was learned: whatever was put to the test.
   std::vector<CurveSection> Sections(int height) const {
     CurveSection analogies{"How sure it was of what it made by analogy", {}, 0};
     CurveSection lessons{"How sure it was of what it learned", {}, 0};
@@ -354,7 +359,7 @@ class Sheet {
       const bool tested = history.steps.size() > 1;
       if (by_analogy.contains(history.model)) {
         analogies.histories.push_back(std::move(history));
-      } else if (learned.contains(history.model) && (tested || by_analogy.empty())) {
+      } else if (learned.contains(history.model) && (Moved(history) || by_analogy.empty())) {
         lessons.histories.push_back(std::move(history));
       } else if (learned.empty() && tested) {
         given.histories.push_back(std::move(history));
@@ -370,6 +375,13 @@ class Sheet {
       sections.push_back(std::move(*section));
     }
     return sections;
+  }
+
+  static bool Moved(const ModelHistory& history) {
+    return std::any_of(history.steps.begin(), history.steps.end(), [&](const ConfidenceStep& step) {
+      return step.evidence.rate() != history.steps.front().evidence.rate() ||
+             step.state != ModelState::kActive;
+    });
   }
 
   // Those with the most outcomes, in their old order.

@@ -12,7 +12,7 @@ Run PaperRun(const PaperEpisodeOptions& options) {
   EpisodeFile file;
   file.events = PaperEpisode(options);
   file.complete = options.last_frame == 15;
-  file.header.program_version = "0.1.0";
+  file.header.program_version = "aerascope 0.1.0";
   file.stored_digest = HashOf("paper");
   return Run::FromEvents(std::move(file));
 }
