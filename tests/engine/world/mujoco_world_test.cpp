@@ -226,7 +226,7 @@ TEST(MujocoWorld, TheDescriptionBuildsTheSameWorldAgain) {
   const auto world = Tabletop(3);
   const WorldDescription description = world->Description();
   EXPECT_EQ(description.kind, "mujoco");
-  EXPECT_THAT(description.cameras, ElementsAre("overview", "close"));
+  EXPECT_THAT(description.cameras, ElementsAre("film", "overview", "close"));
 
   MujocoWorldConfig config = TabletopConfig(3);
   config.model_path = "";
