@@ -30,7 +30,8 @@ std::string PlainNumber(double value) {
 }
 
 bool IsExpression(const Term& term) {
-  static const std::set<std::string, std::less<>> kOperators = {"+", "-", "*", "/", "<>", "=", "<", ">", "<=", ">="};
+  static const std::set<std::string, std::less<>> kOperators = {"+", "-", "*", "/",  "<>",
+                                                                "=", "<", ">", "<=", ">="};
   return term.is(TermKind::kStruct) && term.size() == 2 && kOperators.contains(term.name());
 }
 
@@ -49,16 +50,25 @@ std::string PredicateText(const Line::Predicate& predicate, const Names& names) 
   const std::string value = ValueText(predicate.value, names);
   std::string text;
   switch (predicate.kind) {
-    case Kind::kNoun: text = value; break;
-    case Kind::kPlace: text = "at " + value; break;
-    case Kind::kAttribute: text = Printable(predicate.attribute) + " " + value; break;
-    case Kind::kOther: text = value; break;
+    case Kind::kNoun:
+      text = value;
+      break;
+    case Kind::kPlace:
+      text = "at " + value;
+      break;
+    case Kind::kAttribute:
+      text = Printable(predicate.attribute) + " " + value;
+      break;
+    case Kind::kOther:
+      text = value;
+      break;
   }
   return predicate.positive ? text : "not " + text;
 }
 
 // "hand at P" reads without a comma; other predicates of one thing are parted by the separator.
-std::string PredicatesText(const Line& line, const Names& names, std::string_view separator, std::size_t from = 0) {
+std::string PredicatesText(const Line& line, const Names& names, std::string_view separator,
+                           std::size_t from = 0) {
   std::string text;
   for (std::size_t i = from; i < line.predicates.size(); ++i) {
     if (i > from) text += line.predicates[i - 1].kind == Kind::kNoun ? " " : separator;
@@ -80,7 +90,8 @@ Condition ConditionOf(const Line& line, const Names& names) {
     ForEachVariable(term, [&](int v) {
       const auto i = static_cast<std::size_t>(v);
       const std::string name = i < names.size() ? names[i] : ValueText(Term::Variable(v));
-      if (std::find(condition.variables.begin(), condition.variables.end(), name) == condition.variables.end()) {
+      if (std::find(condition.variables.begin(), condition.variables.end(), name) ==
+          condition.variables.end()) {
         condition.variables.push_back(name);
       }
     });
@@ -108,7 +119,8 @@ Condition ConditionOf(const Line& line, const Names& names) {
   }
   if (used < line.predicates.size()) condition.value += ", " + PredicatesText(line, names, ", ", used);
 
-  // The one-line form keeps what tells states apart: constants by value, places and kinds only if nothing else is said.
+  // The one-line form keeps what tells states apart: constants by value, places and kinds only if nothing
+  // else is said.
   std::vector<std::string> brief;
   bool constants = true;
   for (const Line::Predicate& predicate : line.predicates) {
@@ -132,16 +144,18 @@ void BorrowNames(const KnowledgeBase& knowledge, const Term& payload, Names* nam
   std::vector<Term> arguments;
   if (IsIcst(payload) && payload[0].is(TermKind::kCompositeState)) {
     const CompositeStateRecord* nested = knowledge.Find(payload[0].composite_state());
-    if (nested && ArgumentsOf(nested->state, payload, &arguments)) borrow(arguments, nested->state.variable_names);
+    if (nested && ArgumentsOf(nested->state, payload, &arguments))
+      borrow(arguments, nested->state.variable_names);
   }
   if (IsImdl(payload) && payload[0].is(TermKind::kModel)) {
     const ModelRecord* nested = knowledge.Find(payload[0].model());
-    if (nested && ArgumentsOf(nested->model, payload, &arguments)) borrow(arguments, nested->model.variable_names);
+    if (nested && ArgumentsOf(nested->model, payload, &arguments))
+      borrow(arguments, nested->model.variable_names);
   }
 }
 
-// Components of a generalised state -> the components of its source they are, by one renaming of variables for all.
-// Tries positions in order and goes back where that fails, for a bounded number of steps.
+// Components of a generalised state -> the components of its source they are, by one renaming of variables
+// for all. Tries positions in order and goes back where that fails, for a bounded number of steps.
 class Alignment {
  public:
   Alignment(const CompositeState& source, const CompositeState& derived)
@@ -185,7 +199,8 @@ class Alignment {
       if (renamed == -1 && !taken) renamed = derived.variable();
       return renamed == derived.variable();
     }
-    if (source.kind() != derived.kind() || source.size() != derived.size() || source.name() != derived.name()) {
+    if (source.kind() != derived.kind() || source.size() != derived.size() ||
+        source.name() != derived.name()) {
       return false;
     }
     if (source.items().empty()) return source == derived;
@@ -215,7 +230,9 @@ std::string InWords(const std::vector<std::string>& items) {
   return Join({items.begin(), items.end() - 1}, ", ") + " and " + items.back();
 }
 
-std::string ClauseOf(const Line& line, const std::vector<std::string>& names) { return LineText(line, names, " "); }
+std::string ClauseOf(const Line& line, const std::vector<std::string>& names) {
+  return LineText(line, names, " ");
+}
 
 std::vector<std::string> ClausesOf(const KnowledgeBase& knowledge, const Term& payload,
                                    const std::vector<std::string>& names, Writing writing) {
@@ -247,8 +264,9 @@ std::vector<std::string> VariableNames(const KnowledgeBase& knowledge, const Mod
 
 std::vector<std::string> CanonicalNames(const KnowledgeBase& knowledge, const CompositeStateRecord& record) {
   Names names;
-  FillNames(RolesOf(PartsOf(knowledge, InCanonicalOrder(record), Writing::kCanonical), VariableCount(record.state)),
-            record.canonical.variables, &names);
+  FillNames(
+      RolesOf(PartsOf(knowledge, InCanonicalOrder(record), Writing::kCanonical), VariableCount(record.state)),
+      record.canonical.variables, &names);
   return names;
 }
 
@@ -266,11 +284,13 @@ std::vector<Condition> ConditionsOf(const KnowledgeBase& knowledge, const Compos
 std::vector<Condition> ConditionsOf(const KnowledgeBase& knowledge, const CompositeState& state,
                                     const std::vector<std::string>& names) {
   std::vector<Condition> conditions;
-  for (const Line& line : LinesOf(PartsOf(knowledge, state).parts)) conditions.push_back(ConditionOf(line, names));
+  for (const Line& line : LinesOf(PartsOf(knowledge, state).parts))
+    conditions.push_back(ConditionOf(line, names));
   return conditions;
 }
 
-std::vector<Condition> CanonicalConditions(const KnowledgeBase& knowledge, const CompositeStateRecord& record) {
+std::vector<Condition> CanonicalConditions(const KnowledgeBase& knowledge,
+                                           const CompositeStateRecord& record) {
   const Parts parts = PartsOf(knowledge, InCanonicalOrder(record), Writing::kCanonical);
   const Names names = CanonicalNames(knowledge, record);
   std::vector<Condition> conditions;
@@ -309,9 +329,10 @@ std::string QuotedConditions(const KnowledgeBase& knowledge, const CompositeStat
                              const std::vector<std::size_t>& components) {
   std::vector<std::string> quoted;
   for (const Condition& condition : ConditionsOf(knowledge, state)) {
-    const bool named = std::any_of(condition.components.begin(), condition.components.end(), [&](std::size_t i) {
-      return std::find(components.begin(), components.end(), i) != components.end();
-    });
+    const bool named =
+        std::any_of(condition.components.begin(), condition.components.end(), [&](std::size_t i) {
+          return std::find(components.begin(), components.end(), i) != components.end();
+        });
     if (named) quoted.push_back("`" + condition.text + "`");
   }
   return InWords(quoted);
@@ -330,9 +351,12 @@ std::string OneLine(const std::vector<Condition>& conditions) {
 
 std::string ValueText(const Term& value, const std::vector<std::string>& names) {
   switch (value.kind()) {
-    case TermKind::kNumber: return PlainNumber(value.number());
-    case TermKind::kWildcard: return "anything";
-    case TermKind::kSet: return "[" + ItemsText(value, names, " ") + "]";
+    case TermKind::kNumber:
+      return PlainNumber(value.number());
+    case TermKind::kWildcard:
+      return "anything";
+    case TermKind::kSet:
+      return "[" + ItemsText(value, names, " ") + "]";
     case TermKind::kStruct: {
       if (IsExpression(value)) {
         return OperandText(value[0], names) + " " + value.name() + " " + OperandText(value[1], names);
@@ -350,19 +374,22 @@ std::string ValueText(const Term& value, const std::vector<std::string>& names) 
     case TermKind::kBool:
     case TermKind::kVariable:
     case TermKind::kCompositeState:
-    case TermKind::kModel: return ToText(value, names);
+    case TermKind::kModel:
+      return ToText(value, names);
   }
   return {};
 }
 
-std::string PayloadText(const KnowledgeBase& knowledge, const Term& payload, const std::vector<std::string>& names) {
+std::string PayloadText(const KnowledgeBase& knowledge, const Term& payload,
+                        const std::vector<std::string>& names) {
   return PayloadWords(knowledge, payload, names, Writing::kAsGiven);
 }
 
-std::string PayloadWords(const KnowledgeBase& knowledge, const Term& payload, const std::vector<std::string>& names,
-                         Writing writing) {
+std::string PayloadWords(const KnowledgeBase& knowledge, const Term& payload,
+                         const std::vector<std::string>& names, Writing writing) {
   if (IsCommand(payload)) return ValueText(payload[0], names) + " " + ValueText(payload[1], names);
-  if (IsImdl(payload) && payload[0].is(TermKind::kModel)) return ModelInstanceText(knowledge, payload, names, writing);
+  if (IsImdl(payload) && payload[0].is(TermKind::kModel))
+    return ModelInstanceText(knowledge, payload, names, writing);
   // Open variables of an instance are called as in the knowledge it is an instance of.
   if (names.empty() && IsIcst(payload) && payload[0].is(TermKind::kCompositeState) && !payload.ground()) {
     const CompositeStateRecord* record = knowledge.Find(payload[0].composite_state());
@@ -373,7 +400,8 @@ std::string PayloadWords(const KnowledgeBase& knowledge, const Term& payload, co
       const Names own = VariableNames(knowledge, record->state);
       Names borrowed(count);
       for (std::size_t i = 0; i < arguments.size(); ++i) {
-        if (arguments[i].is(TermKind::kVariable)) borrowed[static_cast<std::size_t>(arguments[i].variable())] = own[i];
+        if (arguments[i].is(TermKind::kVariable))
+          borrowed[static_cast<std::size_t>(arguments[i].variable())] = own[i];
       }
       // A wildcard is a variable nobody named: it gets a number of its own behind those there are.
       std::vector<Term> named;

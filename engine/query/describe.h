@@ -1,8 +1,10 @@
-// Knowledge and events as short English for people: the one place where words are made for report, sheet, graph and
-// terminal. Nothing here knows about arms or grasping; the words come from the scenario's own symbols.
+// Knowledge and events as short English for people: the one place where words are made for report, sheet,
+// graph and terminal. Nothing here knows about arms or grasping; the words come from the scenario's own
+// symbols.
 //
-// Three attributes have a wording of their own: `position P` reads "at P", `essence hand` reads "hand", and the values
-// of `essence` and `shape` serve as nouns in titles. All text is safe on one line (Printable) and plain, not markup.
+// Three attributes have a wording of their own: `position P` reads "at P", `essence hand` reads "hand", and
+// the values of `essence` and `shape` serve as nouns in titles. All text is safe on one line (Printable) and
+// plain, not markup.
 #pragma once
 
 #include <string>
@@ -12,20 +14,21 @@
 
 namespace aerascope {
 
-// One line of a composite state. Nested composite states are written out: their conditions on one thing make one line.
+// One line of a composite state. Nested composite states are written out: their conditions on one thing make
+// one line.
 struct Condition {
   std::string subject;   // "C"
   std::string relation;  // "size"; "hand at"; "not holding" for an anti-fact
   std::string value;     // "large, at P"
   std::string text;      // "C size large, at P"
   std::string brief;     // for the one-line form: "large"; empty where a one-line form leaves it out
-  std::vector<std::size_t> components;   // positions of the components it stands for, in the state it came from
-  std::vector<std::string> variables;    // names of the variables in `text`, in order, no repeats
-  bool pruned = false;   // it was in the state this one was generalised from, and was dropped
+  std::vector<std::size_t> components;  // positions of the components it stands for
+  std::vector<std::string> variables;   // names of the variables in `text`, in order, no repeats
+  bool pruned = false;                  // it was in the state this one was generalised from, and was dropped
 };
 
-// A name for each variable: the given ones, else those of nested states, else by role (T for times, the attribute's
-// first letter for values, X Y Z for things). No two are equal.
+// A name for each variable: the given ones, else those of nested states, else by role (T for times, the
+// attribute's first letter for values, X Y Z for things). No two are equal.
 std::vector<std::string> VariableNames(const KnowledgeBase& knowledge, const CompositeState& state);
 std::vector<std::string> VariableNames(const KnowledgeBase& knowledge, const Model& model);
 // By role only, so equal for equal content whatever names were given: for snapshots and comparisons.
@@ -36,9 +39,10 @@ std::vector<Condition> ConditionsOf(const KnowledgeBase& knowledge, const Compos
 std::vector<Condition> ConditionsOf(const KnowledgeBase& knowledge, const CompositeState& state,
                                     const std::vector<std::string>& names);
 // With canonical names and in canonical order: equal for equal content.
-std::vector<Condition> CanonicalConditions(const KnowledgeBase& knowledge, const CompositeStateRecord& record);
-// For a state made by analogy: the lines of its source in order, those it dropped marked as pruned; its own variable
-// names. For any other state the same as ConditionsOf. Empty if there is no such state.
+std::vector<Condition> CanonicalConditions(const KnowledgeBase& knowledge,
+                                           const CompositeStateRecord& record);
+// For a state made by analogy: the lines of its source in order, those it dropped marked as pruned; its own
+// variable names. For any other state the same as ConditionsOf. Empty if there is no such state.
 std::vector<Condition> ConditionsWithPruned(const KnowledgeBase& knowledge, CompositeStateId id);
 // "H holding [] · cube · large"; pruned conditions are left out.
 std::string OneLine(const std::vector<Condition>& conditions);
@@ -51,16 +55,16 @@ struct ModelLines {
 };
 ModelLines LinesOf(const KnowledgeBase& knowledge, const Model& model);
 
-// A composite state: "H hand at P"; a causal model: "grab_type_2 [H]"; a requirement model: "grab_type_2 something
-// large", "grab_type_1 a small cube", "move the hand". Unknown ids: their id text.
+// A composite state: "H hand at P"; a causal model: "grab_type_2 [H]"; a requirement model: "grab_type_2
+// something large", "grab_type_1 a small cube", "move the hand". Unknown ids: their id text.
 std::string TitleOf(const KnowledgeBase& knowledge, ModelId id);
 std::string TitleOf(const KnowledgeBase& knowledge, CompositeStateId id);
 // "If H holding [], C size large at P and H hand at P, then grab_type_2 [H] makes H holding [C]."
 std::string ExplanationOf(const KnowledgeBase& knowledge, ModelId id);
 
 // A payload: "h holding [s1]", "h at (0.15, 0.07)", "grab_type_2 [h]"; instances of composite states as their
-// conditions, instances of models as "grab_type_2 [h] makes h holding [s1]". Without names variables get those of the
-// knowledge they belong to where that can be told.
+// conditions, instances of models as "grab_type_2 [h] makes h holding [s1]". Without names variables get
+// those of the knowledge they belong to where that can be told.
 std::string PayloadText(const KnowledgeBase& knowledge, const Term& payload,
                         const std::vector<std::string>& names = {});
 // With "not " in front of an anti-fact; without interval.
@@ -76,11 +80,11 @@ struct Binding {
 std::vector<Binding> BindingsOf(const KnowledgeBase& knowledge, const Term& icst_payload);
 std::string BindingsText(const std::vector<Binding>& bindings);  // "H = h, C = s1, P = (0.15, 0.07)"
 
-// One event as one sentence: "Goal reached: h holding [s1].", "3 of 4 conditions of cst_31 hold; `C shape cube` is
-// dropped: mdl_44 starts at 0.75."
+// One event as one sentence: "Goal reached: h holding [s1].", "3 of 4 conditions of cst_31 hold; `C shape
+// cube` is dropped: mdl_44 starts at 0.75."
 std::string SentenceOf(const Run& run, const Event& event);
-// The frame in one or two sentences: what came out, what was learned, what is done next. `frame` is a position in
-// run.frames().
+// The frame in one or two sentences: what came out, what was learned, what is done next. `frame` is a
+// position in run.frames().
 std::string SentenceOfFrame(const Run& run, std::size_t frame);
 
 // Seconds for people: "7 s", "0.7 s".

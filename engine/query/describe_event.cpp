@@ -16,50 +16,76 @@ struct Overloaded : Handlers... {
 
 std::string_view Words(GoalSkipReason reason) {
   switch (reason) {
-    case GoalSkipReason::kAlreadyHolds: return "it holds already";
-    case GoalSkipReason::kLoop: return "it is wanted already, further up";
-    case GoalSkipReason::kTooDeep: return "the chain is too long";
-    case GoalSkipReason::kNoModel: return "no model leads to it";
-    case GoalSkipReason::kBudget: return "the budget for planning is used up";
+    case GoalSkipReason::kAlreadyHolds:
+      return "it holds already";
+    case GoalSkipReason::kLoop:
+      return "it is wanted already, further up";
+    case GoalSkipReason::kTooDeep:
+      return "the chain is too long";
+    case GoalSkipReason::kNoModel:
+      return "no model leads to it";
+    case GoalSkipReason::kBudget:
+      return "the budget for planning is used up";
   }
   return {};
 }
 
 std::string_view Words(CauseVerdict verdict) {
   switch (verdict) {
-    case CauseVerdict::kBuilt: return "a model was made of it";
-    case CauseVerdict::kNoSharedValue: return "nothing in common with what changed";
-    case CauseVerdict::kTooLate: return "not before what it should explain";
-    case CauseVerdict::kSimultaneous: return "a condition, not a cause";
-    case CauseVerdict::kNoGuardForm: return "no formula leads from it to what was seen";
-    case CauseVerdict::kNoCompositeState: return "too few conditions could be put together";
-    case CauseVerdict::kFreeVariable: return "what was seen holds something that neither cause nor condition gives";
-    case CauseVerdict::kBlackListed: return "the same model failed before";
-    case CauseVerdict::kDuplicate: return "the same model is known already";
+    case CauseVerdict::kBuilt:
+      return "a model was made of it";
+    case CauseVerdict::kNoSharedValue:
+      return "nothing in common with what changed";
+    case CauseVerdict::kTooLate:
+      return "not before what it should explain";
+    case CauseVerdict::kSimultaneous:
+      return "a condition, not a cause";
+    case CauseVerdict::kNoGuardForm:
+      return "no formula leads from it to what was seen";
+    case CauseVerdict::kNoCompositeState:
+      return "too few conditions could be put together";
+    case CauseVerdict::kFreeVariable:
+      return "what was seen holds something that neither cause nor condition gives";
+    case CauseVerdict::kBlackListed:
+      return "the same model failed before";
+    case CauseVerdict::kDuplicate:
+      return "the same model is known already";
   }
   return {};
 }
 
 std::string_view Words(AnalogyVerdict verdict) {
   switch (verdict) {
-    case AnalogyVerdict::kAccepted: return "accepted";
-    case AnalogyVerdict::kNotRequired: return "not required, a better plan is known";
-    case AnalogyVerdict::kFullMatch: return "nothing unfamiliar to generalise";
-    case AnalogyVerdict::kTooFewMatched: return "too few";
-    case AnalogyVerdict::kNotFamiliar: return "not familiar enough";
-    case AnalogyVerdict::kNothingObserved: return "nothing is known of what the goal is about";
-    case AnalogyVerdict::kFreeVariable: return "what remains leaves something undetermined";
-    case AnalogyVerdict::kBlackListed: return "the same idea failed before";
-    case AnalogyVerdict::kNoPlan: return "no plan through it reaches the goal";
+    case AnalogyVerdict::kAccepted:
+      return "accepted";
+    case AnalogyVerdict::kNotRequired:
+      return "not required, a better plan is known";
+    case AnalogyVerdict::kFullMatch:
+      return "nothing unfamiliar to generalise";
+    case AnalogyVerdict::kTooFewMatched:
+      return "too few";
+    case AnalogyVerdict::kNotFamiliar:
+      return "not familiar enough";
+    case AnalogyVerdict::kNothingObserved:
+      return "nothing is known of what the goal is about";
+    case AnalogyVerdict::kFreeVariable:
+      return "what remains leaves something undetermined";
+    case AnalogyVerdict::kBlackListed:
+      return "the same idea failed before";
+    case AnalogyVerdict::kNoPlan:
+      return "no plan through it reaches the goal";
   }
   return {};
 }
 
 std::string_view Words(InductionKind kind) {
   switch (kind) {
-    case InductionKind::kChange: return "Not predicted";
-    case InductionKind::kPredictionFailure: return "Predicted otherwise";
-    case InductionKind::kGoalSuccess: return "Reached unexpectedly";
+    case InductionKind::kChange:
+      return "Not predicted";
+    case InductionKind::kPredictionFailure:
+      return "Predicted otherwise";
+    case InductionKind::kGoalSuccess:
+      return "Reached unexpectedly";
   }
   return {};
 }
@@ -90,7 +116,9 @@ class Teller {
   std::string Of(const EvidenceUpdated& e) const {
     const double before = e.before.rate();
     const double after = e.after.rate();
-    const std::string_view change = after > before ? " rises to " : after < before ? " falls to " : " stays at ";
+    const std::string_view change = after > before   ? " rises to "
+                                    : after < before ? " falls to "
+                                                     : " stays at ";
     std::string text = IdText(e.model) + std::string(change) + FormatConfidence(after);
     if (e.strong_after && !e.strong_before) text += " and counts as confirmed";
     return text + ".";
@@ -123,16 +151,22 @@ class Teller {
     return text + ".";
   }
   std::string Of(const SymbolDeclared& e) const {
-    return (e.symbol.is(TermKind::kEntity) ? "Named: the thing " : "Named: the word ") + ValueText(e.symbol) + ".";
+    return (e.symbol.is(TermKind::kEntity) ? "Named: the thing " : "Named: the word ") + ValueText(e.symbol) +
+           ".";
   }
-  std::string Of(const FrameStarted& e) const { return "A frame begins, from " + SecondsText(e.interval.after) + "."; }
+  std::string Of(const FrameStarted& e) const {
+    return "A frame begins, from " + SecondsText(e.interval.after) + ".";
+  }
   std::string Of(const WorldStateRecorded&) const { return "The state of the world is recorded."; }
   std::string Of(const FactObserved& e) const {
     switch (e.source) {
       case FactSource::kSensor:
-      case FactSource::kProperty: return "Seen: " + Text(e.fact) + ".";
-      case FactSource::kExecuted: return "Done: " + Text(e.fact) + ".";
-      case FactSource::kAbsence: return "Concluded: " + Text(e.fact) + ".";
+      case FactSource::kProperty:
+        return "Seen: " + Text(e.fact) + ".";
+      case FactSource::kExecuted:
+        return "Done: " + Text(e.fact) + ".";
+      case FactSource::kAbsence:
+        return "Concluded: " + Text(e.fact) + ".";
     }
     return {};
   }
@@ -147,16 +181,20 @@ class Teller {
       if (!dropped.empty()) text += ", without " + InWords(dropped);
       return text + ".";
     }
-    return (e.origin == Origin::kSeed ? "Given: " : "Learned: ") + id + ", " + TitleOf(knowledge_, e.state.id) + ".";
+    return (e.origin == Origin::kSeed ? "Given: " : "Learned: ") + id + ", " +
+           TitleOf(knowledge_, e.state.id) + ".";
   }
   std::string Of(const ModelCreated& e) const {
     const std::string sure = ", sure at " + FormatConfidence(e.evidence.rate()) + ".";
     switch (e.origin) {
-      case Origin::kSeed: return "Given: " + ModelPhrase(e.model.id) + ".";
-      case Origin::kAnalogy: return "By analogy: " + ModelPhrase(e.model.id) + sure;
+      case Origin::kSeed:
+        return "Given: " + ModelPhrase(e.model.id) + ".";
+      case Origin::kAnalogy:
+        return "By analogy: " + ModelPhrase(e.model.id) + sure;
       case Origin::kInduction:
       case Origin::kPredictionFailure:
-      case Origin::kGoalSuccess: return "Learned: " + ModelPhrase(e.model.id) + sure;
+      case Origin::kGoalSuccess:
+        return "Learned: " + ModelPhrase(e.model.id) + sure;
     }
     return {};
   }
@@ -175,19 +213,26 @@ class Teller {
     return bindings.empty() ? text + "." : text + ": " + bindings + ".";
   }
   std::string Of(const ImdlPredicted& e) const {
-    return IdText(e.requirement) + (e.fact.positive ? " expects that " : " denies that ") + Text(e.fact.payload) + ".";
+    return IdText(e.requirement) + (e.fact.positive ? " expects that " : " denies that ") +
+           Text(e.fact.payload) + ".";
   }
   std::string Of(const PredictionMade& e) const { return "Predicted: " + Text(e.target) + "."; }
-  std::string Of(const PredictionSucceeded& e) const { return "Came true: " + PredictionTarget(e.prediction) + "."; }
+  std::string Of(const PredictionSucceeded& e) const {
+    return "Came true: " + PredictionTarget(e.prediction) + ".";
+  }
   std::string Of(const PredictionFailed& e) const {
-    const std::string seen = e.evidence.valid() ? "; seen: " + FactOf(e.evidence) : "; nothing of it was seen in time";
+    const std::string seen =
+        e.evidence.valid() ? "; seen: " + FactOf(e.evidence) : "; nothing of it was seen in time";
     return "Did not come true: " + PredictionTarget(e.prediction) + seen + ".";
   }
   std::string Of(const ModelStateChanged& e) const {
     switch (e.after) {
-      case ModelState::kActive: return IdText(e.model) + " is in use again.";
-      case ModelState::kPhasedOut: return IdText(e.model) + " failed too often and only predicts silently now.";
-      case ModelState::kDeleted: return IdText(e.model) + " is given up, and not to be made again.";
+      case ModelState::kActive:
+        return IdText(e.model) + " is in use again.";
+      case ModelState::kPhasedOut:
+        return IdText(e.model) + " failed too often and only predicts silently now.";
+      case ModelState::kDeleted:
+        return IdText(e.model) + " is given up, and not to be made again.";
     }
     return {};
   }
@@ -206,14 +251,18 @@ class Teller {
   std::string Of(const SimulationStarted& e) const {
     std::vector<std::string> steps;
     for (const PlanStep& step : e.steps) steps.push_back(Text(step.command));
-    return "Tried in the head (" + IdText(e.simulation) + "): " + (steps.empty() ? "nothing" : Join(steps, ", then ")) +
-           "; score " + FormatConfidence(e.score) + ".";
+    return "Tried in the head (" + IdText(e.simulation) +
+           "): " + (steps.empty() ? "nothing" : Join(steps, ", then ")) + "; score " +
+           FormatConfidence(e.score) + ".";
   }
   std::string Of(const SimulationEnded& e) const {
     switch (e.outcome) {
-      case SimulationOutcome::kReached: return "The plan of " + IdText(e.simulation) + " reaches its goal.";
-      case SimulationOutcome::kNotEnabled: return "A step of " + IdText(e.simulation) + " would not work there.";
-      case SimulationOutcome::kNotReached: return "The plan of " + IdText(e.simulation) + " does not reach its goal.";
+      case SimulationOutcome::kReached:
+        return "The plan of " + IdText(e.simulation) + " reaches its goal.";
+      case SimulationOutcome::kNotEnabled:
+        return "A step of " + IdText(e.simulation) + " would not work there.";
+      case SimulationOutcome::kNotReached:
+        return "The plan of " + IdText(e.simulation) + " does not reach its goal.";
     }
     return {};
   }
@@ -222,7 +271,8 @@ class Teller {
            Plural(static_cast<std::int64_t>(e.candidates.size()), "plan", "plans") + ".";
   }
   std::string Of(const CommandIssued& e) const {
-    return (e.by == Commander::kTeacher ? "The teacher commands " : "The agent commands ") + Text(e.command) + ".";
+    return (e.by == Commander::kTeacher ? "The teacher commands " : "The agent commands ") + Text(e.command) +
+           ".";
   }
   std::string Of(const CommandRefused& e) const {
     std::string text = "The world did not do " + Text(e.command) + " as asked";
@@ -250,13 +300,14 @@ std::string Teller::Of(const AnalogyCompared& e) const {
     Parts parts;
     AddParts(knowledge_, {true, component.pattern, Term::Wildcard(), Term::Wildcard()}, 0, &parts);
     for (const Part& part : parts.parts) {
-      if (IsValue(part.payload) && part.payload[0].is(TermKind::kEntity)) things.insert(ValueText(part.payload[0]));
+      if (IsValue(part.payload) && part.payload[0].is(TermKind::kEntity))
+        things.insert(ValueText(part.payload[0]));
     }
   }
-  std::string text = std::to_string(e.matched + e.achievable) + " of " +
-                     Plural(e.total, "condition", "conditions") + " of " + IdText(e.source) + " hold";
-  if (e.achievable > 0) text += " or can be brought about";
+  std::string text = std::to_string(e.matched) + " of " + Plural(e.total, "condition", "conditions") +
+                     " of " + IdText(e.source) + " hold";
   if (!things.empty()) text += " for " + InWords({things.begin(), things.end()});
+  if (e.achievable > 0) text += ", " + std::to_string(e.achievable) + " more can be brought about";
   if (e.verdict != AnalogyVerdict::kAccepted) {
     return text + ": " + std::string(Words(e.verdict)) + " (" + FormatConfidence(e.psi) + ").";
   }
@@ -272,7 +323,7 @@ struct Moment {
   std::vector<std::string> learned;
   std::vector<std::string> made_by_analogy;
   std::vector<std::string> drives;
-  std::vector<std::string> next;      // commands, the end
+  std::vector<std::string> next;  // commands, the end
 };
 
 class Narrator {
@@ -299,8 +350,8 @@ class Narrator {
  private:
   void Note(const Event& event, Moment* moment) {
     const KnowledgeBase& knowledge = run_.final_knowledge();
-    std::visit(Overloaded{
-                   [&](const GoalAchieved& e) {
+    std::visit(
+        Overloaded{[&](const GoalAchieved& e) {
                      if (teller_.IsDrive(e.goal)) moment->outcomes.push_back(teller_.Tell(event));
                    },
                    [&](const GoalFailed& e) {
@@ -329,7 +380,7 @@ class Narrator {
                    [&](const CommandIssued&) { moment->next.push_back(teller_.Tell(event)); },
                    [&](const EpisodeEnded&) { moment->next.push_back(teller_.Tell(event)); },
                    [](const auto&) {}},
-               event.body);
+        event.body);
   }
 
   const Run& run_;
@@ -338,7 +389,9 @@ class Narrator {
 
 }  // namespace
 
-std::string SentenceOf(const Run& run, const Event& event) { return Teller(run).Tell(event); }
+std::string SentenceOf(const Run& run, const Event& event) {
+  return Teller(run).Tell(event);
+}
 
 std::string SentenceOfFrame(const Run& run, std::size_t frame) {
   return frame < run.frames().size() ? Narrator(run).Tell(run.frames()[frame]) : "";

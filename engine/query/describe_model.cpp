@@ -19,12 +19,12 @@ std::string SideText(const KnowledgeBase& knowledge, bool positive, const Term& 
 
 std::string MakesText(const KnowledgeBase& knowledge, const Model& model, const Term& lhs, const Term& rhs,
                       const Names& names, Writing writing = Writing::kAsGiven) {
-  return SideText(knowledge, model.lhs.positive, lhs, names, writing) + (model.rhs.positive ? " makes " : " ends ") +
-         PayloadWords(knowledge, rhs, names, writing);
+  return SideText(knowledge, model.lhs.positive, lhs, names, writing) +
+         (model.rhs.positive ? " makes " : " ends ") + PayloadWords(knowledge, rhs, names, writing);
 }
 
-// The names of a requirement model's variables, those of its composite state where it passes them on: so that its
-// explanation reads like the composite state's card.
+// The names of a requirement model's variables, those of its composite state where it passes them on: so that
+// its explanation reads like the composite state's card.
 Names NamesLikeItsState(const KnowledgeBase& knowledge, const Model& requirement) {
   Names names(VariableCount(requirement));
   const CompositeStateRecord* state = knowledge.Find(RequiredState(requirement));
@@ -76,21 +76,24 @@ Description DescriptionOf(const Term& thing, const Parts& parts) {
   return description;
 }
 
-// "grab_type_2 something large": the command, and the things it is about that it does not name itself; the things it
-// does name only if there are no others.
+// "grab_type_2 something large": the command, and the things it is about that it does not name itself; the
+// things it does name only if there are no others.
 std::string ActionTitle(const KnowledgeBase& knowledge, const Model& requirement, const Model& target) {
   std::vector<Term> arguments;
   ArgumentsOf(target, requirement.rhs.payload, &arguments);
-  if (!IsCommand(target.lhs.payload)) return SideText(knowledge, target.lhs.positive, target.lhs.payload,
-                                                      VariableNames(knowledge, target));
+  if (!IsCommand(target.lhs.payload))
+    return SideText(knowledge, target.lhs.positive, target.lhs.payload, VariableNames(knowledge, target));
   const Term command = WithArguments(target.lhs.payload, arguments);
+  if (!IsCommand(command)) return ValueText(target.lhs.payload[0]);
   Parts parts;
   AddParts(knowledge, requirement.lhs, 0, &parts);
   std::vector<Term> named;
   ForEachTerm(command[1], [&](const Term& term) {
     if (term.is(TermKind::kVariable)) named.push_back(term);
   });
-  const auto is_named = [&](const Term& thing) { return std::find(named.begin(), named.end(), thing) != named.end(); };
+  const auto is_named = [&](const Term& thing) {
+    return std::find(named.begin(), named.end(), thing) != named.end();
+  };
 
   std::set<std::string> others;
   std::set<std::string> by_name;
@@ -98,8 +101,10 @@ std::string ActionTitle(const KnowledgeBase& knowledge, const Model& requirement
     if (!IsValue(part.payload)) continue;
     const Description description = DescriptionOf(part.payload[0], parts);
     if (description.empty()) continue;
-    if (!is_named(part.payload[0])) others.insert(description.Text());
-    else by_name.insert("the " + description.Words());
+    if (!is_named(part.payload[0]))
+      others.insert(description.Text());
+    else
+      by_name.insert("the " + description.Words());
   }
   const std::set<std::string>& phrases = others.empty() ? by_name : others;
   std::string title = ValueText(target.lhs.payload[0]);
@@ -107,12 +112,14 @@ std::string ActionTitle(const KnowledgeBase& knowledge, const Model& requirement
   return title;
 }
 
-std::string Sentence(std::string text) { return text + "."; }
+std::string Sentence(std::string text) {
+  return text + ".";
+}
 
 }  // namespace
 
-std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl, const std::vector<std::string>& names,
-                              Writing writing) {
+std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl,
+                              const std::vector<std::string>& names, Writing writing) {
   const ModelRecord* record = knowledge.Find(imdl[0].model());
   if (!record) return ValueText(imdl, names);
   const Model& model = record->model;
@@ -125,7 +132,8 @@ std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl, 
   Names all = names;
   all.resize(outer);
   for (std::size_t v = 0; v < arguments.size(); ++v) {
-    const bool open = arguments[v].is(TermKind::kWildcard) || (names.empty() && arguments[v].is(TermKind::kVariable));
+    const bool open =
+        arguments[v].is(TermKind::kWildcard) || (names.empty() && arguments[v].is(TermKind::kVariable));
     if (open) arguments[v] = Term::Variable(static_cast<int>(outer + v));
     std::string name = open ? own[v] : "";
     while (!name.empty() && std::find(all.begin(), all.end(), name) != all.end()) name += "'";
@@ -138,7 +146,8 @@ std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl, 
 }
 
 ModelLines LinesOf(const KnowledgeBase& knowledge, const Model& model) {
-  const Names names = IsRequirement(model) ? NamesLikeItsState(knowledge, model) : VariableNames(knowledge, model);
+  const Names names =
+      IsRequirement(model) ? NamesLikeItsState(knowledge, model) : VariableNames(knowledge, model);
   const Term rhs = RightSide(model);
   ModelLines lines{SideText(knowledge, model.lhs.positive, model.lhs.payload, names),
                    SideText(knowledge, model.rhs.positive, rhs, names),
@@ -167,12 +176,16 @@ std::string TitleOf(const KnowledgeBase& knowledge, ModelId id) {
   switch (KindOf(model)) {
     case ModelKind::kWeakRequirement:
     case ModelKind::kStrongRequirement: {
-      const std::string title = target ? ActionTitle(knowledge, model, target->model) : LinesOf(knowledge, model).rhs;
+      const std::string title =
+          target ? ActionTitle(knowledge, model, target->model) : LinesOf(knowledge, model).rhs;
       return model.rhs.positive ? title : "veto: " + title;
     }
-    case ModelKind::kReuse: return LinesOf(knowledge, model).rhs;
-    case ModelKind::kDrive: return "drive: " + LinesOf(knowledge, model).rhs;
-    case ModelKind::kCausal: return LinesOf(knowledge, model).lhs;
+    case ModelKind::kReuse:
+      return LinesOf(knowledge, model).rhs;
+    case ModelKind::kDrive:
+      return "drive: " + LinesOf(knowledge, model).rhs;
+    case ModelKind::kCausal:
+      return LinesOf(knowledge, model).lhs;
   }
   return {};
 }
@@ -183,13 +196,17 @@ std::string ExplanationOf(const KnowledgeBase& knowledge, ModelId id) {
   const Model& model = record->model;
   const ModelLines lines = LinesOf(knowledge, model);
   switch (KindOf(model)) {
-    case ModelKind::kWeakRequirement: return Sentence("If " + lines.lhs + ", then " + lines.rhs);
+    case ModelKind::kWeakRequirement:
+      return Sentence("If " + lines.lhs + ", then " + lines.rhs);
     case ModelKind::kStrongRequirement: {
       const Names names = NamesLikeItsState(knowledge, model);
-      return Sentence("If " + lines.lhs + ", then it is not so that " + PayloadText(knowledge, model.rhs.payload, names));
+      return Sentence("If " + lines.lhs + ", then it is not so that " +
+                      PayloadText(knowledge, model.rhs.payload, names));
     }
-    case ModelKind::kReuse: return Sentence("Whenever " + lines.lhs + ", then also " + lines.rhs);
-    case ModelKind::kDrive: return Sentence("To satisfy " + lines.rhs + ", " + lines.lhs + " is wanted");
+    case ModelKind::kReuse:
+      return Sentence("Whenever " + lines.lhs + ", then also " + lines.rhs);
+    case ModelKind::kDrive:
+      return Sentence("To satisfy " + lines.rhs + ", " + lines.lhs + " is wanted");
     case ModelKind::kCausal: {
       const Names names = VariableNames(knowledge, model);
       return Sentence(MakesText(knowledge, model, model.lhs.payload, RightSide(model), names));

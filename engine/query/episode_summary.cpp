@@ -35,8 +35,15 @@ std::vector<PredictionRecordOfRun> PredictionsOf(const Run& run) {
     // A confidence of zero is a silent prediction: a vetoed model is only watched.
     if (!IsAboutTheWorld(event, made) || made.target.confidence <= 0) continue;
     positions[made.prediction] = predictions.size();
-    predictions.push_back({made.prediction, made.model, made.requirements, made.target, id, event.time, Outcome::kOpen,
-                           {}, run.end()});
+    predictions.push_back({made.prediction,
+                           made.model,
+                           made.requirements,
+                           made.target,
+                           id,
+                           event.time,
+                           Outcome::kOpen,
+                           {},
+                           run.end()});
   }
   const auto close = [&](EventId id, PredictionId prediction, Outcome outcome) {
     const auto it = positions.find(prediction);
@@ -62,12 +69,14 @@ std::vector<AnalogyOfRun> AnalogiesOf(const Run& run) {
   for (const EventId id : run.OfKind<AnalogyCompared>()) {
     const auto* compared = run.FindBody<AnalogyCompared>(id);
     const EventId made = run.CreationOf(compared->result_requirement);
-    analogies.push_back({id, run.Find(id)->time, compared, compared->result_requirement.valid() && made > id});
+    analogies.push_back(
+        {id, run.Find(id)->time, compared, compared->result_requirement.valid() && made > id});
   }
   return analogies;
 }
 
-// Frames with commands of one commander in a row; the stretch of the next one begins with its first command's frame.
+// Frames with commands of one commander in a row; the stretch of the next one begins with its first command's
+// frame.
 std::vector<Phase> PhasesOf(const Run& run) {
   std::vector<Phase> phases;
   for (const IssuedCommand& command : CommandsOf(run)) {
@@ -88,7 +97,8 @@ std::vector<std::string> HeadlineOf(const Run& run, const EpisodeSummary& summar
   }
   std::string learned = Count(static_cast<std::int64_t>(summary.learned.size()), "piece of knowledge learned",
                               "pieces of knowledge learned");
-  if (!summary.by_analogy.empty()) learned += ", " + std::to_string(summary.by_analogy.size()) + " by analogy";
+  if (!summary.by_analogy.empty())
+    learned += ", " + std::to_string(summary.by_analogy.size()) + " by analogy";
   headline.push_back(std::move(learned));
   if (summary.score.made > 0) {
     headline.push_back(std::to_string(summary.score.came_true) + " of " +
@@ -111,7 +121,8 @@ EpisodeSummary Summarise(const Run& run) {
   summary.events = static_cast<std::int64_t>(run.events().size());
   summary.end = run.end();
   summary.drives = DrivesOf(MakeGoalTree(run));
-  for (const DriveOutcome& drive : summary.drives) summary.drives_reached += drive.outcome == Outcome::kReached ? 1 : 0;
+  for (const DriveOutcome& drive : summary.drives)
+    summary.drives_reached += drive.outcome == Outcome::kReached ? 1 : 0;
   summary.predictions = PredictionsOf(run);
   for (const PredictionRecordOfRun& prediction : summary.predictions) {
     ++summary.score.made;

@@ -21,7 +21,8 @@ struct DriveOutcome {
   Time until;  // when it was decided; end of the run while open
 };
 
-// Predictions about the world made in earnest: those of requirement models and of simulations are not counted.
+// Predictions about the world made in earnest: those of requirement models and of simulations are not
+// counted.
 struct PredictionRecordOfRun {
   PredictionId prediction;
   ModelId model;
@@ -62,12 +63,12 @@ struct EpisodeSummary {
   std::int64_t drives_reached = 0;
   std::vector<PredictionRecordOfRun> predictions;
   PredictionScore score;
-  std::vector<AnalogyOfRun> analogies;   // every comparison, accepted or not, in order
-  std::vector<ModelId> learned;          // requirement models not from the seed: one a piece of knowledge
-  std::vector<ModelId> by_analogy;       // those of them made by analogy
+  std::vector<AnalogyOfRun> analogies;  // every comparison, accepted or not, in order
+  std::vector<ModelId> learned;         // requirement models not from the seed: one a piece of knowledge
+  std::vector<ModelId> by_analogy;      // those of them made by analogy
   std::vector<Phase> phases;
-  // "5 of 5 goals reached", "9 pieces of knowledge learned, 4 by analogy", "9 of 9 predictions came true", and where
-  // it applies "incomplete, last event 211": what a heading says.
+  // "5 of 5 goals reached", "9 pieces of knowledge learned, 4 by analogy", "9 of 9 predictions came true",
+  // and where it applies "incomplete, last event 211": what a heading says.
   std::vector<std::string> headline;
 };
 

@@ -30,7 +30,9 @@ class TreeMaker {
   void Note(const Event& event, const DriveInjected& e) {
     AddGoal(event, e.goal, {}, e.target, e.title.empty() ? "" : Printable(e.title), {});
   }
-  void Note(const Event& event, const GoalSet& e) { AddGoal(event, e.goal, e.super_goal, e.target, "", e.model); }
+  void Note(const Event& event, const GoalSet& e) {
+    AddGoal(event, e.goal, e.super_goal, e.target, "", e.model);
+  }
 
   void AddGoal(const Event& event, GoalId goal, GoalId super_goal, const Fact& target, std::string title,
                ModelId model) {
@@ -49,8 +51,10 @@ class TreeMaker {
     // A super goal is older: so there are no circles.
     const auto parent = positions_.find(super_goal);
     node.parent = parent == positions_.end() ? position : parent->second;
-    if (node.parent == position) tree_.drives.push_back(position);
-    else tree_.goals[node.parent].sub_goals.push_back(position);
+    if (node.parent == position)
+      tree_.drives.push_back(position);
+    else
+      tree_.goals[node.parent].sub_goals.push_back(position);
     tree_.goals.push_back(std::move(node));
   }
 
@@ -110,9 +114,12 @@ class TreeMaker {
 
 std::string_view OutcomeText(Outcome outcome) {
   switch (outcome) {
-    case Outcome::kOpen: return "open";
-    case Outcome::kReached: return "reached";
-    case Outcome::kFailed: return "missed";
+    case Outcome::kOpen:
+      return "open";
+    case Outcome::kReached:
+      return "reached";
+    case Outcome::kFailed:
+      return "missed";
   }
   return {};
 }
@@ -120,14 +127,17 @@ std::string_view OutcomeText(Outcome outcome) {
 std::string PlanText(const Run& run, const PlanRecord& plan) {
   std::vector<std::string> steps;
   for (const PlanStep& step : plan.steps) steps.push_back(PayloadText(run.final_knowledge(), step.command));
-  std::string text = "plan " + IdText(plan.simulation) + ": " + Join(steps, ", ") + ", score " + FormatConfidence(plan.score);
+  std::string text = "plan " + IdText(plan.simulation) + ": " + Join(steps, ", ") + ", score " +
+                     FormatConfidence(plan.score);
   if (plan.ended) text += ", " + std::string(EnumName(plan.outcome));
   return plan.committed ? text + ", chosen" : text;
 }
 
 }  // namespace
 
-GoalTree MakeGoalTree(const Run& run) { return TreeMaker(run).Make(); }
+GoalTree MakeGoalTree(const Run& run) {
+  return TreeMaker(run).Make();
+}
 
 std::vector<IssuedCommand> CommandsOf(const Run& run) {
   std::vector<IssuedCommand> commands;
@@ -166,7 +176,8 @@ std::string GoalTreeText(const Run& run, const GoalTree& tree) {
       text += indent + "  command " + PayloadText(run.final_knowledge(), command.command) + " at " +
               SecondsText(command.time) + (command.refused.valid() ? ", not done as asked" : "") + "\n";
     }
-    for (auto sub = goal.sub_goals.rbegin(); sub != goal.sub_goals.rend(); ++sub) open.emplace_back(*sub, depth + 1);
+    for (auto sub = goal.sub_goals.rbegin(); sub != goal.sub_goals.rend(); ++sub)
+      open.emplace_back(*sub, depth + 1);
   }
   return text;
 }

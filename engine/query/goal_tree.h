@@ -1,4 +1,5 @@
-// What the agent wanted and what it did about it: drives, their sub-goals, the plans tried, the commands issued.
+// What the agent wanted and what it did about it: drives, their sub-goals, the plans tried, the commands
+// issued.
 #pragma once
 
 #include <string>
@@ -28,8 +29,8 @@ struct IssuedCommand {
   TimeInterval interval;
   Term command;
   Commander by = Commander::kAgent;
-  GoalId goal;        // the drive it serves; none for the teacher's
-  EventId refused;    // the CommandRefused event that names it as a cause; else invalid
+  GoalId goal;      // the drive it serves; none for the teacher's
+  EventId refused;  // the CommandRefused event that names it as a cause; else invalid
 };
 
 struct SkippedGoal {
@@ -43,14 +44,14 @@ struct GoalNode {
   GoalId super_goal;
   std::size_t parent = 0;  // position in GoalTree::goals; its own for a drive or an unknown super goal
   bool drive = false;
-  std::string title;       // a drive's own title, else the target in words
+  std::string title;  // a drive's own title, else the target in words
   ModelId model;
   Fact target;
   EventId event;
   Time time;
   Outcome outcome = Outcome::kOpen;
   EventId outcome_event;
-  Time outcome_time;       // end of the run while open
+  Time outcome_time;                   // end of the run while open
   std::vector<std::size_t> sub_goals;  // positions in GoalTree::goals
   std::vector<PlanRecord> plans;
   std::vector<IssuedCommand> commands;

@@ -1,6 +1,7 @@
 #include "engine/query/kb_diff.h"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <tuple>
 
@@ -19,7 +20,10 @@ struct Entry {
     Hash128 source;  // content of what it was derived from
 
     auto Key() const {
-      return std::tuple(side.state, side.origin, side.strong, side.evidence.positive, side.evidence.total, source);
+      // Evidence by its bits: an order for whatever a file may hold, infinities and the like included.
+      return std::tuple(side.state, side.origin, side.strong,
+                        std::bit_cast<std::uint64_t>(side.evidence.positive),
+                        std::bit_cast<std::uint64_t>(side.evidence.total), source);
     }
   };
   std::vector<Copy> copies;  // ordered by what they say, not by number
@@ -72,13 +76,16 @@ class Side {
     }
   }
 
-  // Words that do not depend on given names: titles of requirement models hold none, the others get canonical ones.
+  // Words that do not depend on given names: titles of requirement models hold none, the others get canonical
+  // ones.
   std::string TitleOfNode(const ModelGraphNode& node) const {
     if (!node.is_model()) return OneLine(CanonicalConditions(knowledge_, *knowledge_.Find(node.state)));
     const ModelRecord& record = *knowledge_.Find(node.model);
     if (IsRequirement(record.model)) return TitleOf(knowledge_, node.model);
     const std::vector<std::string> names = CanonicalNames(knowledge_, record);
-    const auto words = [&](const Term& payload) { return PayloadWords(knowledge_, payload, names, Writing::kCanonical); };
+    const auto words = [&](const Term& payload) {
+      return PayloadWords(knowledge_, payload, names, Writing::kCanonical);
+    };
     return words(record.model.lhs.payload) + (record.model.rhs.positive ? " makes " : " ends ") +
            words(record.model.rhs.payload);
   }
@@ -91,13 +98,16 @@ class Side {
 std::vector<std::string> AspectsOf(const Entry& left, const Entry& right) {
   if (left.copies.size() != right.copies.size()) return {"copies"};
   const auto differs = [&](auto&& value_of) {
-    return !std::equal(left.copies.begin(), left.copies.end(), right.copies.begin(),
-                       [&](const Entry::Copy& a, const Entry::Copy& b) { return value_of(a) == value_of(b); });
+    return !std::equal(
+        left.copies.begin(), left.copies.end(), right.copies.begin(),
+        [&](const Entry::Copy& a, const Entry::Copy& b) { return value_of(a) == value_of(b); });
   };
   using Copy = const Entry::Copy&;
   std::vector<std::string> aspects;
-  if (differs([](Copy copy) { return copy.side.evidence.rate(); })) aspects.push_back("confidence");
-  else if (differs([](Copy copy) { return copy.side.evidence; })) aspects.push_back("evidence");
+  if (differs([](Copy copy) { return copy.side.evidence; })) {
+    aspects.push_back(differs([](Copy copy) { return copy.side.evidence.rate(); }) ? "confidence"
+                                                                                   : "evidence");
+  }
   if (differs([](Copy copy) { return copy.side.strong; })) aspects.push_back("strength");
   if (differs([](Copy copy) { return copy.side.state; })) aspects.push_back("state");
   if (differs([](Copy copy) { return copy.side.origin; })) aspects.push_back("origin");
@@ -120,12 +130,18 @@ KbDiffItem ItemOf(const Hash128& content, const Entry* left, const Entry* right)
 
 std::string_view KindWords(ModelGraphNodeKind kind) {
   switch (kind) {
-    case ModelGraphNodeKind::kCompositeState: return "the composite state";
-    case ModelGraphNodeKind::kCausalModel: return "the causal model";
-    case ModelGraphNodeKind::kRequirementModel: return "the requirement model";
-    case ModelGraphNodeKind::kStrongRequirementModel: return "the strong requirement model";
-    case ModelGraphNodeKind::kReuseModel: return "the reuse model";
-    case ModelGraphNodeKind::kDriveModel: return "the drive model";
+    case ModelGraphNodeKind::kCompositeState:
+      return "the composite state";
+    case ModelGraphNodeKind::kCausalModel:
+      return "the causal model";
+    case ModelGraphNodeKind::kRequirementModel:
+      return "the requirement model";
+    case ModelGraphNodeKind::kStrongRequirementModel:
+      return "the strong requirement model";
+    case ModelGraphNodeKind::kReuseModel:
+      return "the reuse model";
+    case ModelGraphNodeKind::kDriveModel:
+      return "the drive model";
   }
   return {};
 }
@@ -136,11 +152,17 @@ std::string EvidenceText(const Evidence& evidence) {
 }
 
 std::string AspectText(const std::string& aspect, const KbDiffSide& left, const KbDiffSide& right) {
-  const auto from_to = [&](const std::string& a, const std::string& b) { return aspect + " " + a + " and " + b; };
-  if (aspect == "confidence" || aspect == "evidence") return from_to(EvidenceText(left.evidence), EvidenceText(right.evidence));
-  if (aspect == "strength") return from_to(left.strong ? "confirmed" : "open", right.strong ? "confirmed" : "open");
-  if (aspect == "state") return from_to(std::string(EnumName(left.state)), std::string(EnumName(right.state)));
-  if (aspect == "origin") return from_to(std::string(EnumName(left.origin)), std::string(EnumName(right.origin)));
+  const auto from_to = [&](const std::string& a, const std::string& b) {
+    return aspect + " " + a + " and " + b;
+  };
+  if (aspect == "confidence" || aspect == "evidence")
+    return from_to(EvidenceText(left.evidence), EvidenceText(right.evidence));
+  if (aspect == "strength")
+    return from_to(left.strong ? "confirmed" : "open", right.strong ? "confirmed" : "open");
+  if (aspect == "state")
+    return from_to(std::string(EnumName(left.state)), std::string(EnumName(right.state)));
+  if (aspect == "origin")
+    return from_to(std::string(EnumName(left.origin)), std::string(EnumName(right.origin)));
   if (aspect == "copies") return from_to(std::to_string(left.copies), std::to_string(right.copies));
   const auto source = [](const KbDiffSide& side) {
     return side.derived_from.empty() ? std::string("from nothing") : "from " + side.derived_from;
@@ -152,9 +174,12 @@ std::string AspectText(const std::string& aspect, const KbDiffSide& left, const 
 
 std::string_view NameOf(KbChange change) {
   switch (change) {
-    case KbChange::kAdded: return "added";
-    case KbChange::kRemoved: return "removed";
-    case KbChange::kChanged: return "changed";
+    case KbChange::kAdded:
+      return "added";
+    case KbChange::kRemoved:
+      return "removed";
+    case KbChange::kChanged:
+      return "changed";
   }
   return {};
 }
@@ -193,8 +218,10 @@ KbDiffResult Exchanged(KbDiffResult difference) {
   std::swap(difference.added, difference.removed);
   for (KbDiffItem& item : difference.items) {
     std::swap(item.left, item.right);
-    if (item.change == KbChange::kAdded) item.change = KbChange::kRemoved;
-    else if (item.change == KbChange::kRemoved) item.change = KbChange::kAdded;
+    if (item.change == KbChange::kAdded)
+      item.change = KbChange::kRemoved;
+    else if (item.change == KbChange::kRemoved)
+      item.change = KbChange::kAdded;
   }
   return difference;
 }
@@ -204,8 +231,10 @@ std::string SentenceOf(const KbDiffItem& item, const std::string& left_name, con
   if (!item.left) return "Only " + right_name + " has " + what + " (" + item.right->id + ").";
   if (!item.right) return "Only " + left_name + " has " + what + " (" + item.left->id + ").";
   std::vector<std::string> aspects;
-  for (const std::string& aspect : item.aspects) aspects.push_back(AspectText(aspect, *item.left, *item.right));
-  return "Both have " + what + " (" + item.left->id + ", " + item.right->id + "), with " + Join(aspects, "; ") + ".";
+  for (const std::string& aspect : item.aspects)
+    aspects.push_back(AspectText(aspect, *item.left, *item.right));
+  return "Both have " + what + " (" + item.left->id + ", " + item.right->id + "), with " +
+         Join(aspects, "; ") + ".";
 }
 
 }  // namespace aerascope

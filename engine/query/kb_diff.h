@@ -1,8 +1,8 @@
 // The difference of two knowledge bases by what they say, not by their numbers (canonical.h).
 //
-// Always true: (1) a base differs from itself, or from one with the same content under other numbers or in another
-// order, in nothing; (2) Diff(a, b) with sides exchanged is Diff(b, a); (3) counts equal the listed items; (4) order
-// is by kind, then title, then content hash, never by number.
+// Always true: (1) a base differs from itself, or from one with the same content under other numbers or in
+// another order, in nothing; (2) Diff(a, b) with sides exchanged is Diff(b, a); (3) counts equal the listed
+// items; (4) order is by kind, then title, then content hash, never by number.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct KbDiffSide {
   bool strong = false;
   ModelState state = ModelState::kActive;
   Origin origin = Origin::kSeed;
-  std::string derived_from;        // id of the source on the same side; empty if none
+  std::string derived_from;  // id of the source on the same side; empty if none
 };
 
 enum class KbChange { kAdded, kRemoved, kChanged };
@@ -34,9 +34,9 @@ struct KbDiffItem {
   KbChange change = KbChange::kAdded;
   ModelGraphNodeKind kind = ModelGraphNodeKind::kCompositeState;
   Hash128 content;
-  std::string title;               // the same on both sides
-  std::optional<KbDiffSide> left;  // none if added
-  std::optional<KbDiffSide> right; // none if removed
+  std::string title;                // the same on both sides
+  std::optional<KbDiffSide> left;   // none if added
+  std::optional<KbDiffSide> right;  // none if removed
   // What differs of an item on both sides, as words: "confidence", "evidence", "strength", "state", "origin",
   // "derivation", "copies".
   std::vector<std::string> aspects;
@@ -47,7 +47,7 @@ struct KbDiffResult {
   std::int64_t added = 0;
   std::int64_t removed = 0;
   std::int64_t changed = 0;
-  std::int64_t same = 0;           // contents equal in everything
+  std::int64_t same = 0;  // contents equal in everything
 
   bool empty() const { return items.empty(); }
 };

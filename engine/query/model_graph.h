@@ -1,6 +1,7 @@
 // The model graph: a knowledge base as nodes and edges, and as triads grouped by what they make possible.
 //
-// Order is fixed: nodes by number of creation, edges by their nodes; a triad made by analogy stands behind its source.
+// Order is fixed: nodes by number of creation, edges by their nodes; a triad made by analogy stands behind
+// its source.
 #pragma once
 
 #include <string>
@@ -33,10 +34,10 @@ struct ModelGraphNode {
   Origin origin = Origin::kSeed;
   Time created;
   EventId event;
-  Evidence evidence;               // of a model
+  Evidence evidence;  // of a model
   bool strong = false;
   ModelState model_state = ModelState::kActive;
-  Hash128 content;                 // hash of the canonical form
+  Hash128 content;  // hash of the canonical form
 
   bool is_model() const { return model.valid(); }
 };
@@ -58,13 +59,14 @@ struct ModelGraphEdge {
   auto operator<=>(const ModelGraphEdge&) const = default;
 };
 
-// A composite state, the requirement model on it, and the causal model that one speaks about: one piece of knowledge.
+// A composite state, the requirement model on it, and the causal model that one speaks about: one piece of
+// knowledge.
 struct Triad {
   CompositeStateId state;  // invalid where the requirement model's left side is a plain fact
   ModelId requirement;
   ModelId causal_model;
-  ModelId derived_from;    // the requirement model it was generalised from; else invalid
-  int generation = 0;      // 0 taught or learned, 1 derived from one of those, ...
+  ModelId derived_from;  // the requirement model it was generalised from; else invalid
+  int generation = 0;    // 0 taught or learned, 1 derived from one of those, ...
   Origin origin = Origin::kSeed;
   Time created;
 };

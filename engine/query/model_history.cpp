@@ -23,11 +23,14 @@ std::string ReasonOf(const Run& run, const Event& event, bool success) {
 
 std::string ReasonOf(const ModelCreated& created) {
   switch (created.origin) {
-    case Origin::kSeed: return "given";
-    case Origin::kAnalogy: return "by analogy";
+    case Origin::kSeed:
+      return "given";
+    case Origin::kAnalogy:
+      return "by analogy";
     case Origin::kInduction:
     case Origin::kPredictionFailure:
-    case Origin::kGoalSuccess: return "learned";
+    case Origin::kGoalSuccess:
+      return "learned";
   }
   return {};
 }
@@ -40,20 +43,21 @@ class Historian {
     if (event.simulation.valid()) return;
     if (const auto* created = std::get_if<ModelCreated>(&event.body)) {
       histories_[created->model.id] = {created->model.id,
-                                       {{event.time, event.id, created->evidence, created->strong, ModelState::kActive,
-                                         std::nullopt, ReasonOf(*created)}}};
+                                       {{event.time, event.id, created->evidence, created->strong,
+                                         ModelState::kActive, std::nullopt, ReasonOf(*created)}}};
     }
     if (const auto* updated = std::get_if<EvidenceUpdated>(&event.body)) {
       if (ModelHistory* history = Find(updated->model)) {
-        history->steps.push_back({event.time, event.id, updated->after, updated->strong_after, history->steps.back().state,
-                                  updated->success, ReasonOf(run_, event, updated->success)});
+        history->steps.push_back({event.time, event.id, updated->after, updated->strong_after,
+                                  history->steps.back().state, updated->success,
+                                  ReasonOf(run_, event, updated->success)});
       }
     }
     if (const auto* changed = std::get_if<ModelStateChanged>(&event.body)) {
       if (ModelHistory* history = Find(changed->model)) {
         const ConfidenceStep& last = history->steps.back();
-        history->steps.push_back({event.time, event.id, last.evidence, last.strong, changed->after, std::nullopt,
-                                  std::string(EnumName(changed->after))});
+        history->steps.push_back({event.time, event.id, last.evidence, last.strong, changed->after,
+                                  std::nullopt, std::string(EnumName(changed->after))});
       }
     }
   }

@@ -11,12 +11,12 @@ namespace aerascope {
 
 struct ConfidenceStep {
   Time time;
-  EventId event;                 // ModelCreated, EvidenceUpdated or ModelStateChanged
-  Evidence evidence;             // from this event on
+  EventId event;      // ModelCreated, EvidenceUpdated or ModelStateChanged
+  Evidence evidence;  // from this event on
   bool strong = false;
   ModelState state = ModelState::kActive;
-  std::optional<bool> success;   // of an outcome; none for creation and change of state
-  std::string reason;            // short: "learned", "by analogy", "h holding [s1]", "not h holding [cyl]"
+  std::optional<bool> success;  // of an outcome; none for creation and change of state
+  std::string reason;           // short: "learned", "by analogy", "h holding [s1]", "not h holding [cyl]"
 };
 
 struct ModelHistory {

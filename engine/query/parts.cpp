@@ -34,7 +34,8 @@ void Assign(const std::vector<int>& variables, const Term& values, std::vector<T
 
 FactPattern WithArguments(const FactPattern& pattern, const std::vector<Term>& arguments) {
   return {pattern.positive, aerascope::WithArguments(pattern.payload, arguments),
-          aerascope::WithArguments(pattern.after, arguments), aerascope::WithArguments(pattern.before, arguments)};
+          aerascope::WithArguments(pattern.after, arguments),
+          aerascope::WithArguments(pattern.before, arguments)};
 }
 
 class Writer {
@@ -54,7 +55,8 @@ class Writer {
     parts_.times.push_back(pattern.after);
     parts_.times.push_back(pattern.before);
     ForEachTerm(pattern.payload, [&](const Term& term) {
-      if (term.IsStruct("ti")) parts_.times.insert(parts_.times.end(), term.items().begin(), term.items().end());
+      if (term.IsStruct("ti"))
+        parts_.times.insert(parts_.times.end(), term.items().begin(), term.items().end());
     });
   }
 
@@ -65,8 +67,10 @@ class Writer {
       const CompositeStateRecord* nested = knowledge_.Find(pattern.payload[0].composite_state());
       if (!nested || !ArgumentsOf(nested->state, pattern.payload, &arguments)) return false;
       const std::size_t instance = ++parts_.instances;
-      const CompositeState state = writing_ == Writing::kCanonical ? InCanonicalOrder(*nested) : nested->state;
-      for (const FactPattern& component : state.components) Add(WithArguments(component, arguments), depth + 1, instance);
+      const CompositeState state =
+          writing_ == Writing::kCanonical ? InCanonicalOrder(*nested) : nested->state;
+      for (const FactPattern& component : state.components)
+        Add(WithArguments(component, arguments), depth + 1, instance);
       return true;
     }
     if (IsImdl(pattern.payload) && pattern.payload[0].is(TermKind::kModel)) {
@@ -118,7 +122,8 @@ void AddParts(const KnowledgeBase& knowledge, const FactPattern& pattern, std::s
 
 Parts PartsOf(const KnowledgeBase& knowledge, const CompositeState& state, Writing writing) {
   Parts parts;
-  for (std::size_t i = 0; i < state.components.size(); ++i) AddParts(knowledge, state.components[i], i, &parts, writing);
+  for (std::size_t i = 0; i < state.components.size(); ++i)
+    AddParts(knowledge, state.components[i], i, &parts, writing);
   return parts;
 }
 
@@ -136,7 +141,8 @@ Parts PartsOf(const KnowledgeBase& knowledge, const Model& model, Writing writin
   AddParts(knowledge, model.lhs, 0, &parts, writing);
   AddParts(knowledge, model.rhs, 1, &parts, writing);
   for (const Term& argument : model.template_arguments) {
-    if (argument.IsStruct("ti")) parts.times.insert(parts.times.end(), argument.items().begin(), argument.items().end());
+    if (argument.IsStruct("ti"))
+      parts.times.insert(parts.times.end(), argument.items().begin(), argument.items().end());
   }
   return parts;
 }
@@ -152,7 +158,8 @@ bool ArgumentsOf(const CompositeState& state, const Term& icst, std::vector<Term
 bool ArgumentsOf(const Model& model, const Term& imdl, std::vector<Term>* arguments) {
   arguments->assign(VariableCount(model), Term::Wildcard());
   const std::vector<int> exposed = ExposedVariables(model);
-  if (!IsImdl(imdl) || imdl[1].size() != model.template_arguments.size() || imdl[2].size() != exposed.size()) {
+  if (!IsImdl(imdl) || imdl[1].size() != model.template_arguments.size() ||
+      imdl[2].size() != exposed.size()) {
     return false;
   }
   for (std::size_t i = 0; i < model.template_arguments.size(); ++i) {
@@ -161,7 +168,8 @@ bool ArgumentsOf(const Model& model, const Term& imdl, std::vector<Term>* argume
     if (parameter.is(TermKind::kVariable)) Assign({parameter.variable()}, Term::Set({value}), arguments);
     if (!parameter.IsStruct("ti") || value.size() != parameter.size()) continue;
     for (std::size_t j = 0; j < parameter.size(); ++j) {
-      if (parameter[j].is(TermKind::kVariable)) Assign({parameter[j].variable()}, Term::Set({value[j]}), arguments);
+      if (parameter[j].is(TermKind::kVariable))
+        Assign({parameter[j].variable()}, Term::Set({value[j]}), arguments);
     }
   }
   Assign(exposed, imdl[2], arguments);
@@ -202,7 +210,8 @@ Term RightSide(const Model& model) {
   for (const Guard& guard : model.forward) {
     if (!guard.target) continue;
     Term value = WithArguments(guard.expression, values);
-    if (value.depth() <= kMaxExpressionDepth) values[static_cast<std::size_t>(*guard.target)] = std::move(value);
+    if (value.depth() <= kMaxExpressionDepth)
+      values[static_cast<std::size_t>(*guard.target)] = std::move(value);
   }
   return WithArguments(model.rhs.payload, values);
 }
@@ -240,10 +249,18 @@ void FillNames(const std::vector<RoleOfVariable>& roles, const std::vector<int>&
     if (!(*names)[i].empty()) return;
     std::string name;
     switch (roles[i].role) {
-      case VariableRole::kTime: name = FreeName("T", taken); break;
-      case VariableRole::kThing: name = FreeThing(taken); break;
-      case VariableRole::kValue: name = FreeName(LetterOf(roles[i].attribute), taken); break;
-      case VariableRole::kOther: name = FreeName("V", taken); break;
+      case VariableRole::kTime:
+        name = FreeName("T", taken);
+        break;
+      case VariableRole::kThing:
+        name = FreeThing(taken);
+        break;
+      case VariableRole::kValue:
+        name = FreeName(LetterOf(roles[i].attribute), taken);
+        break;
+      case VariableRole::kOther:
+        name = FreeName("V", taken);
+        break;
     }
     taken.insert(name);
     (*names)[i] = std::move(name);
@@ -259,25 +276,32 @@ Line::Predicate::Kind KindOfAttribute(std::string_view attribute) {
   return attribute == "position" ? Line::Predicate::Kind::kPlace : Line::Predicate::Kind::kAttribute;
 }
 
-bool NamesAKind(std::string_view attribute) { return attribute == "essence" || attribute == "shape"; }
+bool NamesAKind(std::string_view attribute) {
+  return attribute == "essence" || attribute == "shape";
+}
 
 std::vector<Line> LinesOf(const std::vector<Part>& parts) {
   using Kind = Line::Predicate::Kind;
   std::vector<Line> lines;
   for (const Part& part : parts) {
     if (!IsValue(part.payload)) {
-      lines.push_back({Term::Nil(), {{Kind::kOther, part.positive, "", part.payload}}, {part.component}, part.instance,
+      lines.push_back({Term::Nil(),
+                       {{Kind::kOther, part.positive, "", part.payload}},
+                       {part.component},
+                       part.instance,
                        part.apart});
       continue;
     }
     const std::string& attribute = part.payload[1].name();
     Line::Predicate predicate{KindOfAttribute(attribute), part.positive, attribute, part.payload[2]};
     // "C essence X" of a variable says which kind; only a constant reads as a noun.
-    if (predicate.kind == Kind::kNoun && !predicate.value.is(TermKind::kOntology)) predicate.kind = Kind::kAttribute;
+    if (predicate.kind == Kind::kNoun && !predicate.value.is(TermKind::kOntology))
+      predicate.kind = Kind::kAttribute;
     const auto is_attribute = [](const Line::Predicate& p) { return p.kind == Kind::kAttribute; };
     const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
       return line.instance == part.instance && line.apart == part.apart && line.subject == part.payload[0] &&
-             !(is_attribute(predicate) && std::any_of(line.predicates.begin(), line.predicates.end(), is_attribute));
+             !(is_attribute(predicate) &&
+               std::any_of(line.predicates.begin(), line.predicates.end(), is_attribute));
     });
     if (same == lines.end()) {
       lines.push_back({part.payload[0], {std::move(predicate)}, {part.component}, part.instance, part.apart});

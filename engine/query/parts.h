@@ -1,5 +1,6 @@
-// The parts that knowledge is made of, written out: nested composite states and models replaced by what they say, in
-// the variables of the piece of knowledge that was asked about. Used by everything that makes words of knowledge.
+// The parts that knowledge is made of, written out: nested composite states and models replaced by what they
+// say, in the variables of the piece of knowledge that was asked about. Used by everything that makes words
+// of knowledge.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +11,8 @@
 
 namespace aerascope {
 
-// In which order the components of nested states are written out: as they were given, or as in their canonical form, so
-// that equal content reads the same.
+// In which order the components of nested states are written out: as they were given, or as in their
+// canonical form, so that equal content reads the same.
 enum class Writing { kAsGiven, kCanonical };
 
 // A payload without instances of composite states (unless unknown or nested too deeply), and where it stands.
@@ -19,8 +20,9 @@ struct Part {
   bool positive = true;
   Term payload;
   std::size_t component = 0;  // the component or side it came from
-  std::size_t instance = 0;   // which composite state it is a component of: 0 the outermost, counted up from there
-  bool apart = false;         // makes no line with parts that are not `apart`
+  std::size_t instance =
+      0;               // which composite state it is a component of: 0 the outermost, counted up from there
+  bool apart = false;  // makes no line with parts that are not `apart`
 };
 
 // What became of a pattern: its parts, and the terms (variables) in places of time.
@@ -38,14 +40,16 @@ inline constexpr std::size_t kMaxParts = 2000;
 void AddParts(const KnowledgeBase& knowledge, const FactPattern& pattern, std::size_t component, Parts* parts,
               Writing writing = Writing::kAsGiven);
 
-Parts PartsOf(const KnowledgeBase& knowledge, const CompositeState& state, Writing writing = Writing::kAsGiven);
+Parts PartsOf(const KnowledgeBase& knowledge, const CompositeState& state,
+              Writing writing = Writing::kAsGiven);
 // The same state with its components in the order of its canonical form.
 CompositeState InCanonicalOrder(const CompositeStateRecord& record);
 // Component 0 is the left side, 1 the right side.
 Parts PartsOf(const KnowledgeBase& knowledge, const Model& model, Writing writing = Writing::kAsGiven);
 
-// What each variable of the referenced knowledge stands for in an instance: terms of the instance's own numbering; a
-// wildcard where nothing is said. False if the lists do not fit (then every entry is a wildcard).
+// What each variable of the referenced knowledge stands for in an instance: terms of the instance's own
+// numbering; a wildcard where nothing is said. False if the lists do not fit (then every entry is a
+// wildcard).
 bool ArgumentsOf(const CompositeState& state, const Term& icst, std::vector<Term>* arguments);
 bool ArgumentsOf(const Model& model, const Term& imdl, std::vector<Term>* arguments);
 
@@ -86,8 +90,8 @@ struct Line {
   std::size_t instance = 0;
   bool apart = false;
 };
-// Parts of one composite state about one thing make one line, but each attribute has a line of its own: nouns first, then
-// the attribute, then places, then what is not.
+// Parts of one composite state about one thing make one line, but each attribute has a line of its own: nouns
+// first, then the attribute, then places, then what is not.
 std::vector<Line> LinesOf(const std::vector<Part>& parts);
 
 // The words of one attribute (describe.h).

@@ -10,11 +10,11 @@ namespace aerascope {
 namespace {
 
 // In order of the alternatives of ObjectId.
-constexpr std::array<std::string_view, std::variant_size_v<ObjectId>> kPrefixes = {"#",    "fact_", "goal_", "pred_",
-                                                                                   "cst_", "mdl_",  "sim_"};
+constexpr std::array<std::string_view, std::variant_size_v<ObjectId>> kPrefixes = {
+    "#", "fact_", "goal_", "pred_", "cst_", "mdl_", "sim_"};
 
-// Knowledge bases kept along the events: every kFirstSpacing events, and twice as far apart whenever there are more
-// than kMaxCheckpoints, so that memory stays bounded whatever the length of the run.
+// Knowledge bases kept along the events: every kFirstSpacing events, and twice as far apart whenever there
+// are more than kMaxCheckpoints, so that memory stays bounded whatever the length of the run.
 constexpr std::size_t kFirstSpacing = 1024;
 constexpr std::size_t kMaxCheckpoints = 32;
 
@@ -65,14 +65,16 @@ Result<ObjectId> ParseObjectId(std::string_view text) {
   const std::string_view rest = digits == std::string_view::npos ? "" : text.substr(digits);
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-  const bool is_number = !rest.empty() && error == std::errc() && end == rest.data() + rest.size() && number > 0;
+  const bool is_number =
+      !rest.empty() && error == std::errc() && end == rest.data() + rest.size() && number > 0;
   const auto known = std::find(kPrefixes.begin(), kPrefixes.end(), prefix);
   if (is_number && prefix.empty()) return ObjectId{EventId{number}};
   if (is_number && known != kPrefixes.end()) {
     return MakeObjectId(static_cast<std::size_t>(known - kPrefixes.begin()), number);
   }
-  std::string message = "expected an id such as mdl_14, cst_12, fact_3, goal_7, pred_9, sim_4 or #214 (an event), found \"" +
-                        Printable(text.substr(0, 80)) + "\"";
+  std::string message =
+      "expected an id such as mdl_14, cst_12, fact_3, goal_7, pred_9, sim_4 or #214 (an event), found \"" +
+      Printable(text.substr(0, 80)) + "\"";
   const std::string closest = ClosestWord(prefix, {kPrefixes.begin() + 1, kPrefixes.end()});
   if (is_number && !closest.empty()) message += "; did you mean " + closest + std::to_string(number) + "?";
   return Error{message};
@@ -120,10 +122,12 @@ void Run::IndexCreations() {
   for (const Event& event : events()) {
     Created created;
     std::visit(created, event.body);
-    if (NumberOf(created.id) != 0) creations_[created.id.index()].emplace_back(NumberOf(created.id), event.id);
+    if (NumberOf(created.id) != 0)
+      creations_[created.id.index()].emplace_back(NumberOf(created.id), event.id);
   }
   for (auto& kind : creations_) {
-    std::stable_sort(kind.begin(), kind.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(kind.begin(), kind.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
   }
 }
 
@@ -163,7 +167,8 @@ void Run::FoldKnowledge() {
     if (i > 0 && i % spacing == 0) checkpoints_.push_back({i, final_knowledge_});
     if (checkpoints_.size() > kMaxCheckpoints) {
       spacing *= 2;
-      std::erase_if(checkpoints_, [&](const Checkpoint& checkpoint) { return checkpoint.events % spacing != 0; });
+      std::erase_if(checkpoints_,
+                    [&](const Checkpoint& checkpoint) { return checkpoint.events % spacing != 0; });
     }
     Apply(events()[i], &final_knowledge_);
   }
@@ -180,8 +185,9 @@ std::string Run::title() const {
 
 std::optional<std::size_t> Run::FrameAt(Time t) const {
   if (frames_.empty()) return std::nullopt;
-  const auto after = std::upper_bound(frames_.begin(), frames_.end(), t,
-                                      [](Time time, const RunFrame& frame) { return time < frame.interval.after; });
+  const auto after =
+      std::upper_bound(frames_.begin(), frames_.end(), t,
+                       [](Time time, const RunFrame& frame) { return time < frame.interval.after; });
   return after == frames_.begin() ? 0 : static_cast<std::size_t>(after - frames_.begin()) - 1;
 }
 
@@ -210,8 +216,9 @@ std::span<const EventId> Run::Effects(EventId id) const {
 EventId Run::CreationOf(const ObjectId& id) const {
   if (const auto* event = std::get_if<EventId>(&id)) return Find(*event) ? *event : EventId{};
   const auto& numbers = creations_[id.index()];
-  const auto it = std::lower_bound(numbers.begin(), numbers.end(), NumberOf(id),
-                                   [](const auto& entry, std::int64_t number) { return entry.first < number; });
+  const auto it =
+      std::lower_bound(numbers.begin(), numbers.end(), NumberOf(id),
+                       [](const auto& entry, std::int64_t number) { return entry.first < number; });
   return it != numbers.end() && it->first == NumberOf(id) ? it->second : EventId{};
 }
 
@@ -233,9 +240,13 @@ std::string Run::NearestTo(const ObjectId& id) const {
   }
   const auto& numbers = creations_[id.index()];
   if (numbers.empty()) return {};
-  const auto distance = [&](const auto& entry) { return std::max(entry.first, number) - std::min(entry.first, number); };
-  const auto nearest = std::min_element(numbers.begin(), numbers.end(),
-                                        [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  const auto distance = [&](const auto& entry) {
+    return static_cast<std::uint64_t>(std::max(entry.first, number)) -
+           static_cast<std::uint64_t>(std::min(entry.first, number));
+  };
+  const auto nearest = std::min_element(numbers.begin(), numbers.end(), [&](const auto& a, const auto& b) {
+    return distance(a) < distance(b);
+  });
   return IdText(id.index(), nearest->first);
 }
 
@@ -250,8 +261,9 @@ const Fact* Run::FindFact(FactId id) const {
 
 KnowledgeBase Run::KnowledgeBaseAfterEvents(std::size_t count) const {
   if (count >= events().size()) return final_knowledge_;
-  const auto after = std::upper_bound(checkpoints_.begin(), checkpoints_.end(), count,
-                                      [](std::size_t n, const Checkpoint& checkpoint) { return n < checkpoint.events; });
+  const auto after =
+      std::upper_bound(checkpoints_.begin(), checkpoints_.end(), count,
+                       [](std::size_t n, const Checkpoint& checkpoint) { return n < checkpoint.events; });
   KnowledgeBase knowledge;
   std::size_t done = 0;
   if (after != checkpoints_.begin()) {

@@ -1,8 +1,8 @@
 // A Run is a loaded episode: its events in order, with the indexes that questions need.
 //
-// It is immutable once made and may be used from any thread. Events of a run that was cut short are there up to the
-// last one committed; complete() says so. Definitions of knowledge never change, so descriptions use final_knowledge();
-// confidences and states do, so ask KnowledgeBaseAt().
+// It is immutable once made and may be used from any thread. Events of a run that was cut short are there up
+// to the last one committed; complete() says so. Definitions of knowledge never change, so descriptions use
+// final_knowledge(); confidences and states do, so ask KnowledgeBaseAt().
 #pragma once
 
 #include <array>
@@ -34,8 +34,8 @@ Result<ObjectId> ParseObjectId(std::string_view text);
 struct RunFrame {
   std::int64_t number = 0;  // as the events of it say (Event::frame)
   TimeInterval interval;
-  EventId first;            // its FrameStarted event
-  EventId last;             // the last event before the next frame
+  EventId first;  // its FrameStarted event
+  EventId last;   // the last event before the next frame
 };
 
 class Run {
@@ -77,15 +77,16 @@ class Run {
     return OfKind(KindIndex<Body>());
   }
 
-  // The event that brought the object into being (an event is its own); invalid if the episode has no such object.
+  // The event that brought the object into being (an event is its own); invalid if the episode has no such
+  // object.
   EventId CreationOf(const ObjectId& id) const;
   // The object that text names; an error with the nearest thing that exists otherwise.
   Result<ObjectId> FindObject(std::string_view text) const;
   // What a fact, an instance (icst) or a model instance (imdl) says; null if the episode has no such fact.
   const Fact* FindFact(FactId id) const;
 
-  // Everything the agent held after all events up to and including time t, or up to and including an event. Costs at
-  // most a copy of a knowledge base and a bounded number of events.
+  // Everything the agent held after all events up to and including time t, or up to and including an event.
+  // Costs at most a copy of a knowledge base and a bounded number of events.
   KnowledgeBase KnowledgeBaseAt(Time t) const;
   KnowledgeBase KnowledgeBaseAfter(EventId id) const;
   const KnowledgeBase& final_knowledge() const { return final_knowledge_; }
@@ -97,8 +98,10 @@ class Run {
   };
   template <class Body, std::size_t I = 0>
   static constexpr std::size_t KindIndex() {
-    if constexpr (std::is_same_v<Body, EventBodyAt<I>>) return I;
-    else return KindIndex<Body, I + 1>();
+    if constexpr (std::is_same_v<Body, EventBodyAt<I>>)
+      return I;
+    else
+      return KindIndex<Body, I + 1>();
   }
   std::size_t PositionOf(EventId id) const;  // events().size() if there is none
   KnowledgeBase KnowledgeBaseAfterEvents(std::size_t count) const;
@@ -114,11 +117,12 @@ class Run {
   Time end_;
   std::vector<RunFrame> frames_;
   std::vector<std::vector<EventId>> by_kind_;
-  std::vector<std::size_t> effects_begin_;  // per event, where its effects begin in effects_; one more at the end
+  std::vector<std::size_t>
+      effects_begin_;  // per event, where its effects begin in effects_; one more at the end
   std::vector<EventId> effects_;
   // Per kind of id, the numbers in use with the event that created each, ascending.
   std::array<std::vector<std::pair<std::int64_t, EventId>>, std::variant_size_v<ObjectId>> creations_;
-  std::vector<Time> latest_;                // per event, the latest time up to it
+  std::vector<Time> latest_;  // per event, the latest time up to it
   std::vector<Checkpoint> checkpoints_;
   KnowledgeBase final_knowledge_;
 };

@@ -56,7 +56,8 @@ CauseTree Flatten(const Run& run, const std::vector<Draft>& drafts, Neighbours n
     tree.levels = std::max(tree.levels, draft.depth + 1);
     tree.cut = tree.cut || draft.mark == CauseMark::kCut;
     if ((run.*neighbours)(draft.event).empty()) first.insert(draft.event);
-    for (auto child = draft.children.rbegin(); child != draft.children.rend(); ++child) open.emplace_back(*child, position);
+    for (auto child = draft.children.rbegin(); child != draft.children.rend(); ++child)
+      open.emplace_back(*child, position);
   }
   tree.first_causes.assign(first.begin(), first.end());
   return tree;
@@ -77,8 +78,12 @@ std::vector<bool> LastChildren(const CauseTree& tree) {
 
 }  // namespace
 
-CauseTree Why(const Run& run, EventId event, CauseLimits limits) { return MakeTree(run, event, &Run::Causes, limits); }
-CauseTree LedTo(const Run& run, EventId event, CauseLimits limits) { return MakeTree(run, event, &Run::Effects, limits); }
+CauseTree Why(const Run& run, EventId event, CauseLimits limits) {
+  return MakeTree(run, event, &Run::Causes, limits);
+}
+CauseTree LedTo(const Run& run, EventId event, CauseLimits limits) {
+  return MakeTree(run, event, &Run::Effects, limits);
+}
 
 std::string TreeText(const Run& run, const CauseTree& tree) {
   const std::vector<bool> last = LastChildren(tree);

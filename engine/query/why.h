@@ -1,7 +1,7 @@
 // "Why?" and "What did it lead to?": walks along the causes that every event names.
 //
-// Each event is expanded once, at the place nearest to the root; further places are references. So the tree is never
-// larger than the edges it covers, and circles cannot be.
+// Each event is expanded once, at the place nearest to the root; further places are references. So the tree
+// is never larger than the edges it covers, and circles cannot be.
 #pragma once
 
 #include <string>
@@ -25,10 +25,10 @@ struct CauseNode {
 };
 
 struct CauseTree {
-  std::vector<CauseNode> nodes;      // preorder: children follow their parent; most direct causes first
-  int levels = 0;                    // greatest depth + 1
-  std::vector<EventId> first_causes; // leaves without causes (or effects), by number
-  bool cut = false;                  // some node is kCut
+  std::vector<CauseNode> nodes;       // preorder: children follow their parent; most direct causes first
+  int levels = 0;                     // greatest depth + 1
+  std::vector<EventId> first_causes;  // leaves without causes (or effects), by number
+  bool cut = false;                   // some node is kCut
 };
 
 struct CauseLimits {

@@ -16,14 +16,16 @@ std::string InWords(const std::vector<std::string>& items);
 std::string ClauseOf(const Line& line, const std::vector<std::string>& names);
 // A payload as clauses; an instance of a composite state gives several.
 std::vector<std::string> ClausesOf(const KnowledgeBase& knowledge, const Term& payload,
-                                   const std::vector<std::string>& names, Writing writing = Writing::kAsGiven);
+                                   const std::vector<std::string>& names,
+                                   Writing writing = Writing::kAsGiven);
 // The same as one phrase; PayloadText (describe.h) is this, as given.
-std::string PayloadWords(const KnowledgeBase& knowledge, const Term& payload, const std::vector<std::string>& names,
-                         Writing writing);
+std::string PayloadWords(const KnowledgeBase& knowledge, const Term& payload,
+                         const std::vector<std::string>& names, Writing writing);
 
-// An instance of a model: "grab_type_2 [h] makes h holding [s1]". What it leaves open keeps the model's own names.
-std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl, const std::vector<std::string>& names,
-                              Writing writing = Writing::kAsGiven);
+// An instance of a model: "grab_type_2 [h] makes h holding [s1]". What it leaves open keeps the model's own
+// names.
+std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl,
+                              const std::vector<std::string>& names, Writing writing = Writing::kAsGiven);
 
 // "`C shape cube`, `C size large`": conditions of a state by their components' positions.
 std::string QuotedConditions(const KnowledgeBase& knowledge, const CompositeState& state,

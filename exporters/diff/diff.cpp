@@ -13,19 +13,23 @@ using Json = nlohmann::ordered_json;
 
 std::string TotalsOf(const KbDiffResult& difference, const DiffNames& names) {
   if (difference.empty()) {
-    return "No difference: all " + std::to_string(difference.same) + " pieces of " + names.left + " and " + names.right +
-           " are the same.";
+    return "No difference: all " + std::to_string(difference.same) + " pieces of " + names.left + " and " +
+           names.right + " are the same.";
   }
-  return std::to_string(difference.removed) + " only in " + names.left + ", " + std::to_string(difference.added) +
-         " only in " + names.right + ", " + std::to_string(difference.changed) + " with other evidence or state, " +
+  return std::to_string(difference.removed) + " only in " + names.left + ", " +
+         std::to_string(difference.added) + " only in " + names.right + ", " +
+         std::to_string(difference.changed) + " with other evidence or state, " +
          std::to_string(difference.same) + " the same.";
 }
 
 std::string_view SignOf(KbChange change) {
   switch (change) {
-    case KbChange::kAdded: return "+";
-    case KbChange::kRemoved: return "-";
-    case KbChange::kChanged: return "~";
+    case KbChange::kAdded:
+      return "+";
+    case KbChange::kRemoved:
+      return "-";
+    case KbChange::kChanged:
+      return "~";
   }
   return {};
 }
@@ -60,7 +64,9 @@ Json JsonOf(const KbDiffItem& item, const DiffNames& names) {
           {"right", JsonOf(item.right, item.kind)}};
 }
 
-DiffNames PrintableNames(const DiffNames& names) { return {Printable(names.left), Printable(names.right)}; }
+DiffNames PrintableNames(const DiffNames& names) {
+  return {Printable(names.left), Printable(names.right)};
+}
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// The difference of two knowledge bases for people (text, Markdown) and programs (JSON): totals first, then one
-// sentence a difference and what the item says.
+// The difference of two knowledge bases for people (text, Markdown) and programs (JSON): totals first, then
+// one sentence a difference and what the item says.
 #pragma once
 
 #include <iosfwd>

@@ -10,12 +10,18 @@ namespace {
 
 std::string_view ShapeOf(ModelGraphNodeKind kind) {
   switch (kind) {
-    case ModelGraphNodeKind::kCompositeState: return "box";
-    case ModelGraphNodeKind::kCausalModel: return "box";
-    case ModelGraphNodeKind::kRequirementModel: return "ellipse";
-    case ModelGraphNodeKind::kStrongRequirementModel: return "octagon";
-    case ModelGraphNodeKind::kReuseModel: return "box";
-    case ModelGraphNodeKind::kDriveModel: return "house";
+    case ModelGraphNodeKind::kCompositeState:
+      return "box";
+    case ModelGraphNodeKind::kCausalModel:
+      return "box";
+    case ModelGraphNodeKind::kRequirementModel:
+      return "ellipse";
+    case ModelGraphNodeKind::kStrongRequirementModel:
+      return "octagon";
+    case ModelGraphNodeKind::kReuseModel:
+      return "box";
+    case ModelGraphNodeKind::kDriveModel:
+      return "house";
   }
   return "box";
 }
@@ -46,9 +52,12 @@ std::string_view StyleOf(ModelGraphEdgeKind kind) {
     case ModelGraphEdgeKind::kRequires:
     case ModelGraphEdgeKind::kEnables:
     case ModelGraphEdgeKind::kReuses:
-    case ModelGraphEdgeKind::kUses: return "solid";
-    case ModelGraphEdgeKind::kContains: return "dotted";
-    case ModelGraphEdgeKind::kDerivedFrom: return "dashed";
+    case ModelGraphEdgeKind::kUses:
+      return "solid";
+    case ModelGraphEdgeKind::kContains:
+      return "dotted";
+    case ModelGraphEdgeKind::kDerivedFrom:
+      return "dashed";
   }
   return "solid";
 }
@@ -56,17 +65,20 @@ std::string_view StyleOf(ModelGraphEdgeKind kind) {
 }  // namespace
 
 Status WriteDot(const ModelGraph& graph, std::ostream& out) {
-  out << "digraph knowledge {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n  edge [fontname=\"sans-serif\"];\n";
+  out << "digraph knowledge {\n  rankdir=LR;\n  node [fontname=\"sans-serif\"];\n  edge "
+         "[fontname=\"sans-serif\"];\n";
   for (const ModelGraphNode& node : graph.nodes) {
-    out << "  " << DotQuoted(node.id) << " [label=" << DotQuoted(LabelOf(node)) << ", shape=" << ShapeOf(node.kind)
-        << ", style=" << DotQuoted(StyleOf(node)) << ", tooltip=" << DotQuoted(node.title) << "];\n";
+    out << "  " << DotQuoted(node.id) << " [label=" << DotQuoted(LabelOf(node))
+        << ", shape=" << ShapeOf(node.kind) << ", style=" << DotQuoted(StyleOf(node))
+        << ", tooltip=" << DotQuoted(node.title) << "];\n";
   }
   for (const ModelGraphEdge& edge : graph.edges) {
     // Where something came from, or what it contains, does not order the drawing.
-    const bool side = edge.kind == ModelGraphEdgeKind::kDerivedFrom || edge.kind == ModelGraphEdgeKind::kContains;
-    out << "  " << DotQuoted(graph.nodes[edge.from].id) << " -> " << DotQuoted(graph.nodes[edge.to].id) << " [label="
-        << DotQuoted(NameOf(edge.kind)) << ", style=" << StyleOf(edge.kind) << (side ? ", constraint=false" : "")
-        << "];\n";
+    const bool side =
+        edge.kind == ModelGraphEdgeKind::kDerivedFrom || edge.kind == ModelGraphEdgeKind::kContains;
+    out << "  " << DotQuoted(graph.nodes[edge.from].id) << " -> " << DotQuoted(graph.nodes[edge.to].id)
+        << " [label=" << DotQuoted(NameOf(edge.kind)) << ", style=" << StyleOf(edge.kind)
+        << (side ? ", constraint=false" : "") << "];\n";
   }
   out << "}\n";
   out.flush();

@@ -1,5 +1,5 @@
-// The model graph as DOT, the language of Graphviz: composite states left, requirement models in the middle, causal
-// models right. `dot -Tsvg` draws it.
+// The model graph as DOT, the language of Graphviz: composite states left, requirement models in the middle,
+// causal models right. `dot -Tsvg` draws it.
 #pragma once
 
 #include <iosfwd>

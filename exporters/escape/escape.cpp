@@ -25,10 +25,17 @@ std::string DotQuoted(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : PrintableLines(text)) {
     switch (c) {
-      case '"': quoted += "\\\""; break;
-      case '\\': quoted += "\\\\"; break;
-      case '\n': quoted += "\\l"; break;
-      default: quoted += c;
+      case '"':
+        quoted += "\\\"";
+        break;
+      case '\\':
+        quoted += "\\\\";
+        break;
+      case '\n':
+        quoted += "\\l";
+        break;
+      default:
+        quoted += c;
     }
   }
   return quoted + "\"";
@@ -39,12 +46,24 @@ std::string XmlText(std::string_view text) {
   const std::string printable = PrintableLines(text);
   for (std::size_t i = 0; i < printable.size(); ++i) {
     switch (printable[i]) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&apos;"; break;
-      case '\n': escaped += "&#10;"; break;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&apos;";
+        break;
+      case '\n':
+        escaped += "&#10;";
+        break;
       case '\xef':
         // U+FFFE and U+FFFF are valid UTF-8 and not allowed in XML.
         if (i + 2 < printable.size() && printable[i + 1] == '\xbf' &&
@@ -55,7 +74,8 @@ std::string XmlText(std::string_view text) {
           escaped += printable[i];
         }
         break;
-      default: escaped += printable[i];
+      default:
+        escaped += printable[i];
     }
   }
   return escaped;
@@ -65,9 +85,15 @@ std::string MarkdownText(std::string_view text) {
   std::string escaped;
   for (const char c : Printable(text)) {
     switch (c) {
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '&': escaped += "&amp;"; break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '&':
+        escaped += "&amp;";
+        break;
       case '\\':
       case '`':
       case '*':
@@ -75,8 +101,11 @@ std::string MarkdownText(std::string_view text) {
       case '[':
       case ']':
       case '|':
-      case '#': escaped += '\\'; [[fallthrough]];
-      default: escaped += c;
+      case '#':
+        escaped += '\\';
+        [[fallthrough]];
+      default:
+        escaped += c;
     }
   }
   return escaped;

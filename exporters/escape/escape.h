@@ -1,5 +1,5 @@
-// Text from an episode, made safe for a format. What a format cannot hold (control characters, invalid UTF-8) is
-// written visibly, as Printable does, and never dropped.
+// Text from an episode, made safe for a format. What a format cannot hold (control characters, invalid UTF-8)
+// is written visibly, as Printable does, and never dropped.
 #pragma once
 
 #include <iosfwd>

@@ -63,7 +63,8 @@ Json ValueOf(const T& value) {
 template <class Body>
 Json FieldsOf(const Body& body) {
   Json object = Json::object();
-  ForEachField<Body>([&](const auto& field) { object[std::string(field.name)] = ValueOf(body.*(field.member)); });
+  ForEachField<Body>(
+      [&](const auto& field) { object[std::string(field.name)] = ValueOf(body.*(field.member)); });
   return object;
 }
 

@@ -1,4 +1,5 @@
-// The events of an episode: a line of words each, or a JSON object a line (NDJSON) with every field of the schema.
+// The events of an episode: a line of words each, or a JSON object a line (NDJSON) with every field of the
+// schema.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +17,15 @@ namespace aerascope {
 struct EventFilter {
   std::optional<std::size_t> kind;  // position in EventBody, see KindOfName
   Time from{std::numeric_limits<std::int64_t>::min()};
-  Time to = kForever;               // included
+  Time to = kForever;  // included
 };
 
 // Time, number, kind and a sentence.
 Status WriteEventsText(const Run& run, const EventFilter& filter, std::ostream& out);
 
-// {"id", "time_us", "frame", "kind", "simulation", "causes", "body"}. Ids as text (mdl_14), times in microseconds, terms
-// in their exact encoding (engine/kb/term_codec.h), enums by name, facts, evidence and intervals as objects.
+// {"id", "time_us", "frame", "kind", "simulation", "causes", "body"}. Ids as text (mdl_14), times in
+// microseconds, terms in their exact encoding (engine/kb/term_codec.h), enums by name, facts, evidence and
+// intervals as objects.
 Status WriteEventsNdjson(const Run& run, const EventFilter& filter, std::ostream& out);
 
 // A word list for "did you mean": the names of all kinds, in order of the schema.

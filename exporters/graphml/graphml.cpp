@@ -17,7 +17,9 @@ struct NodeAttribute {
   std::function<std::optional<std::string>(const ModelGraphNode&)> value;
 };
 
-std::string Exact(double number) { return FormatNumber(number, 17); }
+std::string Exact(double number) {
+  return FormatNumber(number, 17);
+}
 
 std::vector<NodeAttribute> NodeAttributes() {
   using Node = const ModelGraphNode&;
@@ -60,15 +62,16 @@ Status WriteGraphml(const ModelGraph& graph, std::ostream& out) {
     out << "    <node id=\"" << XmlText(node.id) << "\">\n";
     for (const NodeAttribute& attribute : attributes) {
       const std::optional<std::string> value = attribute.value(node);
-      if (value) out << "      <data key=\"node_" << attribute.name << "\">" << XmlText(*value) << "</data>\n";
+      if (value)
+        out << "      <data key=\"node_" << attribute.name << "\">" << XmlText(*value) << "</data>\n";
     }
     out << "    </node>\n";
   }
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const ModelGraphEdge& edge = graph.edges[i];
-    out << "    <edge id=\"e" << i + 1 << "\" source=\"" << XmlText(graph.nodes[edge.from].id) << "\" target=\""
-        << XmlText(graph.nodes[edge.to].id) << "\">\n      <data key=\"edge_kind\">" << NameOf(edge.kind)
-        << "</data>\n    </edge>\n";
+    out << "    <edge id=\"e" << i + 1 << "\" source=\"" << XmlText(graph.nodes[edge.from].id)
+        << "\" target=\"" << XmlText(graph.nodes[edge.to].id) << "\">\n      <data key=\"edge_kind\">"
+        << NameOf(edge.kind) << "</data>\n    </edge>\n";
   }
   out << "  </graph>\n</graphml>\n";
   out.flush();

@@ -1,5 +1,5 @@
-// The model graph as GraphML, for yEd, Gephi, Cytoscape, networkx, igraph and others. Every attribute has one type;
-// there are none on the graph itself, which some readers stumble over.
+// The model graph as GraphML, for yEd, Gephi, Cytoscape, networkx, igraph and others. Every attribute has one
+// type; there are none on the graph itself, which some readers stumble over.
 #pragma once
 
 #include <iosfwd>

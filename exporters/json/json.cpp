@@ -52,7 +52,8 @@ Status WriteModelGraphJson(const ModelGraph& graph, std::ostream& out) {
   Json groups = Json::array();
   for (const ModelGraphNode& node : graph.nodes) nodes.push_back(JsonOf(node));
   for (const ModelGraphEdge& edge : graph.edges) {
-    edges.push_back({{"from", graph.nodes[edge.from].id}, {"to", graph.nodes[edge.to].id}, {"kind", NameOf(edge.kind)}});
+    edges.push_back(
+        {{"from", graph.nodes[edge.from].id}, {"to", graph.nodes[edge.to].id}, {"kind", NameOf(edge.kind)}});
   }
   for (const TriadGroup& group : graph.groups) groups.push_back(JsonOf(group));
   const Json json = {{"format", "aerascope model graph"},

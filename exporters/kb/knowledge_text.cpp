@@ -16,19 +16,24 @@ std::string Count(std::size_t count, const std::string& one, const std::string& 
 
 std::string OriginText(Origin origin, const std::string& source, Time created) {
   switch (origin) {
-    case Origin::kSeed: return "given";
+    case Origin::kSeed:
+      return "given";
     case Origin::kAnalogy:
       return "by analogy" + (source.empty() ? "" : " with " + source) + " at " + SecondsText(created);
-    case Origin::kInduction: return "learned at " + SecondsText(created);
-    case Origin::kPredictionFailure: return "learned from a failed prediction at " + SecondsText(created);
-    case Origin::kGoalSuccess: return "learned from an unexpected success at " + SecondsText(created);
+    case Origin::kInduction:
+      return "learned at " + SecondsText(created);
+    case Origin::kPredictionFailure:
+      return "learned from a failed prediction at " + SecondsText(created);
+    case Origin::kGoalSuccess:
+      return "learned from an unexpected success at " + SecondsText(created);
   }
   return {};
 }
 
 std::string StatusText(const ModelRecord& record) {
   std::string text = "confidence " + FormatConfidence(record.evidence.rate()) + " (" +
-                     FormatNumber(record.evidence.positive, 6) + " of " + FormatNumber(record.evidence.total, 6) + ")";
+                     FormatNumber(record.evidence.positive, 6) + " of " +
+                     FormatNumber(record.evidence.total, 6) + ")";
   if (record.strong) text += ", confirmed";
   if (record.state != ModelState::kActive) text += ", " + std::string(EnumName(record.state));
   const std::string source = record.derived_from.valid() ? IdText(record.derived_from) : "";
@@ -95,10 +100,11 @@ class Writer {
       if (first) out_ << "\nOther composite states\n";
       first = false;
       std::vector<std::string> texts;
-      for (const Condition& condition : ConditionsOf(knowledge_, record.state)) texts.push_back(condition.text);
+      for (const Condition& condition : ConditionsOf(knowledge_, record.state))
+        texts.push_back(condition.text);
       const std::string source = record.derived_from.valid() ? IdText(record.derived_from) : "";
-      out_ << "  " << IdText(id) << "  " << Join(texts, "; ") << "  (" << OriginText(record.origin, source, record.created)
-           << ")\n";
+      out_ << "  " << IdText(id) << "  " << Join(texts, "; ") << "  ("
+           << OriginText(record.origin, source, record.created) << ")\n";
     }
   }
 

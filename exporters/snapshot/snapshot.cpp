@@ -1,6 +1,8 @@
 #include "exporters/snapshot/snapshot.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -17,16 +19,24 @@ constexpr std::string_view kEvidenceYes = "evidence: yes";
 constexpr std::string_view kEvidenceNo = "evidence: no";
 constexpr std::size_t kHashDigits = 16;
 
-std::string ShortHash(Hash128 hash) { return ToText(hash).substr(0, kHashDigits); }
+std::string ShortHash(Hash128 hash) {
+  return ToText(hash).substr(0, kHashDigits);
+}
 
 std::string_view KindWords(ModelGraphNodeKind kind) {
   switch (kind) {
-    case ModelGraphNodeKind::kCompositeState: return "composite state";
-    case ModelGraphNodeKind::kCausalModel: return "causal model";
-    case ModelGraphNodeKind::kRequirementModel: return "requirement model";
-    case ModelGraphNodeKind::kStrongRequirementModel: return "strong requirement model";
-    case ModelGraphNodeKind::kReuseModel: return "reuse model";
-    case ModelGraphNodeKind::kDriveModel: return "drive model";
+    case ModelGraphNodeKind::kCompositeState:
+      return "composite state";
+    case ModelGraphNodeKind::kCausalModel:
+      return "causal model";
+    case ModelGraphNodeKind::kRequirementModel:
+      return "requirement model";
+    case ModelGraphNodeKind::kStrongRequirementModel:
+      return "strong requirement model";
+    case ModelGraphNodeKind::kReuseModel:
+      return "reuse model";
+    case ModelGraphNodeKind::kDriveModel:
+      return "drive model";
   }
   return {};
 }
@@ -47,13 +57,16 @@ struct Item {
 
   bool is_model() const { return kind != ModelGraphNodeKind::kCompositeState; }
   auto Key() const {
-    return std::tuple(kind, lines, content, state, origin, strong, evidence.positive, evidence.total, source);
+    return std::tuple(kind, lines, content, state, origin, strong,
+                      std::bit_cast<std::uint64_t>(evidence.positive),
+                      std::bit_cast<std::uint64_t>(evidence.total), source);
   }
 };
 
 class Maker {
  public:
-  Maker(const KnowledgeBase& knowledge, const SnapshotOptions& options) : knowledge_(knowledge), options_(options) {}
+  Maker(const KnowledgeBase& knowledge, const SnapshotOptions& options)
+      : knowledge_(knowledge), options_(options) {}
 
   std::string Make() {
     const ModelGraph graph = MakeModelGraph(knowledge_);
@@ -61,7 +74,8 @@ class Maker {
     std::sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) { return a.Key() < b.Key(); });
     CountCopies();
     NameItems();
-    std::string text = std::string(kTitle) + "\n" + std::string(options_.evidence ? kEvidenceYes : kEvidenceNo) + "\n";
+    std::string text =
+        std::string(kTitle) + "\n" + std::string(options_.evidence ? kEvidenceYes : kEvidenceNo) + "\n";
     for (const Item& item : items_) text += Block(item);
     return text;
   }
@@ -75,26 +89,31 @@ class Maker {
     item.evidence = options_.evidence ? node.evidence : Evidence{};
     item.strong = options_.evidence && node.strong;
     item.state = node.model_state;
-    if (node.is_model()) Describe(*knowledge_.Find(node.model), &item);
-    else Describe(*knowledge_.Find(node.state), &item);
+    if (node.is_model())
+      Describe(*knowledge_.Find(node.model), &item);
+    else
+      Describe(*knowledge_.Find(node.state), &item);
     return item;
   }
 
   void Describe(const CompositeStateRecord& record, Item* item) const {
-    for (const Condition& condition : CanonicalConditions(knowledge_, record)) item->lines.push_back(condition.text);
+    for (const Condition& condition : CanonicalConditions(knowledge_, record))
+      item->lines.push_back(condition.text);
     const std::vector<std::string> names = CanonicalNames(knowledge_, record);
     for (const Guard& guard : record.state.guards) item->lines.push_back("where " + GuardText(guard, names));
     for (const int component : record.canonical.components) {
       Refer(record.state.components[static_cast<std::size_t>(component)].payload, item);
     }
-    if (const CompositeStateRecord* source = knowledge_.Find(record.derived_from)) item->source = source->canonical.hash;
+    if (const CompositeStateRecord* source = knowledge_.Find(record.derived_from))
+      item->source = source->canonical.hash;
   }
 
   void Describe(const ModelRecord& record, Item* item) const {
     const Model& model = record.model;
     const std::vector<std::string> names = CanonicalNames(knowledge_, record);
     const auto side = [&](const FactPattern& pattern) {
-      return (pattern.positive ? "" : "not ") + PayloadWords(knowledge_, pattern.payload, names, Writing::kCanonical);
+      return (pattern.positive ? "" : "not ") +
+             PayloadWords(knowledge_, pattern.payload, names, Writing::kCanonical);
     };
     if (IsRequirement(model)) item->lines.push_back(TitleOf(knowledge_, model.id));
     item->lines.push_back("if " + side(model.lhs));
@@ -103,7 +122,8 @@ class Maker {
     for (const Guard& guard : model.backward) item->lines.push_back("backward " + GuardText(guard, names));
     Refer(model.lhs.payload, item);
     Refer(model.rhs.payload, item);
-    if (const ModelRecord* source = knowledge_.Find(record.derived_from)) item->source = source->canonical.hash;
+    if (const ModelRecord* source = knowledge_.Find(record.derived_from))
+      item->source = source->canonical.hash;
   }
 
   static std::string GuardText(const Guard& guard, const std::vector<std::string>& names) {
@@ -128,8 +148,10 @@ class Maker {
   void CountCopies() {
     std::vector<Item> distinct;
     for (Item& item : items_) {
-      if (!distinct.empty() && distinct.back().Key() == item.Key()) ++distinct.back().copies;
-      else distinct.push_back(std::move(item));
+      if (!distinct.empty() && distinct.back().Key() == item.Key())
+        ++distinct.back().copies;
+      else
+        distinct.push_back(std::move(item));
     }
     items_ = std::move(distinct);
   }
@@ -150,7 +172,8 @@ class Maker {
   }
 
   std::string Block(const Item& item) const {
-    std::string text = "\n" + std::string(KindWords(item.kind)) + " " + item.alias + " " + ShortHash(item.content) + "\n";
+    std::string text =
+        "\n" + std::string(KindWords(item.kind)) + " " + item.alias + " " + ShortHash(item.content) + "\n";
     for (const std::string& line : item.lines) text += "  " + line + "\n";
     if (!item.refers_to.empty()) {
       text += "  uses:";
@@ -159,10 +182,12 @@ class Maker {
     }
     if (item.source) text += "  derived from: " + AliasOf(*item.source) + "\n";
     text += "  origin: " + std::string(EnumName(item.origin)) + "\n";
-    if (item.is_model() && item.state != ModelState::kActive) text += "  state: " + std::string(EnumName(item.state)) + "\n";
+    if (item.is_model() && item.state != ModelState::kActive)
+      text += "  state: " + std::string(EnumName(item.state)) + "\n";
     if (item.is_model() && options_.evidence) {
-      text += "  confidence: " + FormatNumber(item.evidence.rate(), 9) + " (" + FormatNumber(item.evidence.positive, 9) +
-              " of " + FormatNumber(item.evidence.total, 9) + ")" + (item.strong ? ", confirmed" : "") + "\n";
+      text += "  confidence: " + FormatNumber(item.evidence.rate(), 9) + " (" +
+              FormatNumber(item.evidence.positive, 9) + " of " + FormatNumber(item.evidence.total, 9) + ")" +
+              (item.strong ? ", confirmed" : "") + "\n";
     }
     if (item.copies > 1) text += "  copies: " + std::to_string(item.copies) + "\n";
     return text;
@@ -174,7 +199,8 @@ class Maker {
   std::map<Hash128, std::string> aliases_;
 };
 
-// ------------------------------------------------------------------------------------------------------- comparing
+// -------------------------------------------------------------------------------------------------------
+// comparing
 
 struct Block {
   std::string kind;
@@ -187,7 +213,8 @@ struct Block {
   std::string Words() const {
     std::vector<std::string> said;
     for (const std::string& line : lines) {
-      const bool about_it = line.starts_with("uses: ") || line.starts_with("derived from: ") || line.starts_with("origin: ");
+      const bool about_it =
+          line.starts_with("uses: ") || line.starts_with("derived from: ") || line.starts_with("origin: ");
       if (about_it || line.starts_with("forward ")) break;
       said.push_back(line);
       if (kind.ends_with("requirement model")) break;
@@ -210,8 +237,11 @@ std::optional<Block> HeadOf(std::string_view line) {
   if (hash == std::string_view::npos || hash == 0) return std::nullopt;
   const std::size_t alias = line.rfind(' ', hash - 1);
   if (alias == std::string_view::npos) return std::nullopt;
-  return Block{std::string(line.substr(0, alias)), std::string(line.substr(alias + 1, hash - alias - 1)),
-               std::string(line.substr(hash + 1)), {}, {}};
+  return Block{std::string(line.substr(0, alias)),
+               std::string(line.substr(alias + 1, hash - alias - 1)),
+               std::string(line.substr(hash + 1)),
+               {},
+               {}};
 }
 
 // Lines that name other items, with their hashes in place of aliases.
@@ -251,7 +281,8 @@ Result<Snapshot> Read(std::string_view text, const std::string& name) {
   }
   const std::string_view evidence = TakeLine(&text);
   if (evidence != kEvidenceYes && evidence != kEvidenceNo) {
-    return fail(2, "expected \"evidence: yes\" or \"evidence: no\", found \"" + Printable(evidence.substr(0, 60)) + "\"");
+    return fail(2, "expected \"evidence: yes\" or \"evidence: no\", found \"" +
+                       Printable(evidence.substr(0, 60)) + "\"");
   }
   snapshot.evidence = evidence == kEvidenceYes;
   for (int number = 3; !text.empty(); ++number) {
@@ -264,7 +295,8 @@ Result<Snapshot> Read(std::string_view text, const std::string& name) {
     }
     std::optional<Block> block = HeadOf(line);
     if (!block) {
-      return fail(number, "expected a kind, an alias and a hash, found \"" + Printable(line.substr(0, 60)) + "\"");
+      return fail(number,
+                  "expected a kind, an alias and a hash, found \"" + Printable(line.substr(0, 60)) + "\"");
     }
     snapshot.blocks.push_back(std::move(*block));
   }
@@ -294,7 +326,8 @@ std::string Differing(const Block& stored, const Block& actual) {
   std::string text = "~ " + stored.Words() + "\n";
   const auto only = [&](const Block& one, const Block& other, std::string_view sign) {
     for (std::size_t i = 0; i < one.comparable.size(); ++i) {
-      if (std::find(other.comparable.begin(), other.comparable.end(), one.comparable[i]) == other.comparable.end()) {
+      if (std::find(other.comparable.begin(), other.comparable.end(), one.comparable[i]) ==
+          other.comparable.end()) {
         text += std::string(sign) + "   " + Printable(one.lines[i]) + "\n";
       }
     }
@@ -357,7 +390,8 @@ Result<SnapshotComparison> CompareSnapshots(std::string_view stored, std::string
   const Result<Snapshot> found = Read(actual, "the knowledge of this run");
   if (!found) return found.error();
   if (expected->evidence != found->evidence) {
-    return Error{stored_name + " was made with \"" + std::string(expected->evidence ? kEvidenceYes : kEvidenceNo) +
+    return Error{stored_name + " was made with \"" +
+                 std::string(expected->evidence ? kEvidenceYes : kEvidenceNo) +
                  "\" and is compared with a snapshot made otherwise; make both the same way"};
   }
   return Compare(*expected, *found);

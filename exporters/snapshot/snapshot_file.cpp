@@ -23,7 +23,8 @@ Result<SnapshotComparison> TestSnapshot(const std::string& path, const Knowledge
   return CompareSnapshots(stored.str(), SnapshotText(knowledge, {*evidence}), path);
 }
 
-Status AcceptSnapshot(const std::string& path, const KnowledgeBase& knowledge, const SnapshotOptions& options) {
+Status AcceptSnapshot(const std::string& path, const KnowledgeBase& knowledge,
+                      const SnapshotOptions& options) {
   const std::filesystem::path target(path);
   const std::filesystem::path beside = path + ".new";
   std::error_code trouble;
@@ -33,7 +34,8 @@ Status AcceptSnapshot(const std::string& path, const KnowledgeBase& knowledge, c
     if (file) file << SnapshotText(knowledge, options) << std::flush;
     if (!file) {
       std::filesystem::remove(beside, trouble);
-      return Error{"the snapshot " + path + " cannot be written; does its folder exist, is it writable, and is there space?"};
+      return Error{"the snapshot " + path +
+                   " cannot be written; does its folder exist, is it writable, and is there space?"};
     }
   }
   std::filesystem::rename(beside, target, trouble);
