@@ -35,9 +35,23 @@ bool IsPlainOrNew(const std::string& path) {
 
 }  // namespace
 
+Status CheckWritable(const std::string& path) {
+  if (path == "-") return Ok();
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    return Error{"cannot write " + path + ": it is a folder; name a file in it"};
+  }
+  if (!IsPlainOrNew(path)) return Ok();
+  std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  if (folder.empty()) folder = ".";
+  if (access(folder.c_str(), W_OK | X_OK) == 0) return Ok();
+  if (errno == ENOENT) return Error{"cannot write " + path + ": there is no folder " + folder.string()};
+  return Trouble("cannot write", path, errno);
+}
+
 Status WriteFile(const std::string& path, std::string_view bytes) {
   if (path == "-") return WriteAll(STDOUT_FILENO, bytes, "standard output");
-  if (std::filesystem::is_directory(path)) return Error{"cannot write " + path + ": it is a folder; name a file in it"};
+  if (Status fine = CheckWritable(path); !fine) return fine;
   // A device or pipe takes the bytes as they come; there is nothing to rename.
   if (!IsPlainOrNew(path)) {
     const int device = open(path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -75,6 +89,8 @@ Status MakeFolder(const std::string& path) {
   return Ok();
 }
 
-std::string FileName(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+std::string FileName(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
 
 }  // namespace aerascope

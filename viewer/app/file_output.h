@@ -8,7 +8,12 @@
 
 namespace aerascope {
 
-// Writes bytes to path; on any trouble the old file, if there was one, is left as it was. "-" is standard output.
+// Whether a file could be made or replaced at path, for commands that work long before they write. "-" always
+// can.
+Status CheckWritable(const std::string& path);
+
+// Writes bytes to path; on any trouble the old file, if there was one, is left as it was. "-" is standard
+// output.
 Status WriteFile(const std::string& path, std::string_view bytes);
 
 Result<std::string> ReadFile(const std::string& path);

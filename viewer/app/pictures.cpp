@@ -18,7 +18,9 @@ namespace {
 // Smooth edges matter more in stills than speed does.
 constexpr RenderQuality kStillQuality{.samples = 4, .shadow_map_size = 2048};
 
-std::string Kilobytes(std::size_t bytes) { return std::to_string((bytes + 999) / 1000) + " kB"; }
+std::string Kilobytes(std::size_t bytes) {
+  return std::to_string((bytes + 999) / 1000) + " kB";
+}
 
 }  // namespace
 
@@ -54,7 +56,8 @@ Result<Image> EpisodePictures::Draw(Time at, const Camera& camera, PictureSize s
   return renderer_->Draw(*scene_, size, kStillQuality);
 }
 
-Result<std::vector<EpisodePictures::Traced>> EpisodePictures::Trace(Time at, const Camera& camera, PictureSize size) {
+Result<std::vector<EpisodePictures::Traced>> EpisodePictures::Trace(Time at, const Camera& camera,
+                                                                    PictureSize size) {
   if (Status shown = scene_->Show(*timeline_.At(at), camera); !shown) return shown.error();
   auto segments = renderer_->DrawSegments(*scene_, size);
   if (!segments) return segments.error();
@@ -152,6 +155,10 @@ Result<SheetFrames> EpisodePictures::ForSheet(const OnPicture& on_picture) {
 }
 
 Status WriteReports(const Run& run, const std::string& episode_path, const ReportFiles& files) {
+  for (const std::string& path : {files.html, files.sheet}) {
+    if (path.empty()) continue;
+    if (Status fine = CheckWritable(path); !fine) return fine;
+  }
   ProgressLine progress;
   ReportFrames film;
   SheetFrames sheet_frames;
@@ -177,24 +184,35 @@ Status WriteReports(const Run& run, const std::string& episode_path, const Repor
   } else {
     film.note = sheet_frames.note = "Frames were left out as asked (--no-frames).";
   }
+  // Both are made before the first is written, so that trouble with one leaves no other behind.
+  std::string html;
+  std::string sheet;
+  std::vector<std::string> remarks;
   if (!files.html.empty()) {
     auto report = BuildReport(run, film, {.file_name = FileName(episode_path)});
     if (!report) return report.error();
-    if (Status written = WriteFile(files.html, report->html); !written) return written;
+    html = std::move(report->html);
     std::string sizes;
     for (const ReportPart& part : report->parts) {
       sizes += (sizes.empty() ? "" : ", ") + part.name + " " + Kilobytes(part.bytes);
     }
-    progress.Keep("report " + Kilobytes(report->html.size()) + ": " + sizes);
-    for (const std::string& warning : report->warnings) progress.Keep("warning: " + warning);
+    remarks.push_back("report " + Kilobytes(html.size()) + ": " + sizes);
+    for (const std::string& warning : report->warnings) remarks.push_back("warning: " + warning);
   }
   if (!files.sheet.empty()) {
     auto svg = BuildSheetSvg(run, sheet_frames, {.file_name = FileName(episode_path)});
     if (!svg) return svg.error();
     auto png = SvgToPng(*svg, files.sheet_scale);
     if (!png) return png.error();
-    if (Status written = WriteFile(files.sheet, *png); !written) return written;
+    sheet = std::move(*png);
   }
+  if (!files.html.empty()) {
+    if (Status written = WriteFile(files.html, html); !written) return written;
+  }
+  if (!files.sheet.empty()) {
+    if (Status written = WriteFile(files.sheet, sheet); !written) return written;
+  }
+  for (const std::string& remark : remarks) progress.Keep(remark);
   return Ok();
 }
 
