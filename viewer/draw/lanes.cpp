@@ -158,9 +158,9 @@ class Lanes {
   void DrawBar(const Bar& bar, const Rect& rect) {
     const bool failed = bar.outcome == Outcome::kFailed;
     DrawTag(svg_, rect, bar.shape, failed ? "d-failed" : bar.classes);
-    const int pad = bar.shape == TagShape::kPointsLeft ? 10 : 6;
+    const int pad = bar.shape == TagShape::kPointsLeft ? 10 : 5;
     const int sign = bar.outcome == Outcome::kOpen || rect.width < 24 ? 0 : 16;
-    const int room = rect.width - pad - sign - (bar.shape == TagShape::kPointsRight ? 6 : 4);
+    const int room = rect.width - pad - sign - (bar.shape == TagShape::kPointsRight ? 6 : 2);
     const auto whole = std::find_if(bar.texts.begin(), bar.texts.end(), [room](const std::string& candidate) {
       return !candidate.empty() && TextWidth(candidate, 11) <= room;
     });
