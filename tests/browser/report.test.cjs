@@ -60,6 +60,13 @@ test("the header counts and says where the report comes from", async () => {
   await close();
 });
 
+test("without an address it opens where experience first spoke about an analogy", async () => {
+  const { page, close } = await open("full");
+  assert.equal(await time(page), "8.0 s");
+  assert.match(await page.locator("#inspector .kind").textContent(), /made by analogy/);
+  await close();
+});
+
 test("it plays from the first frame to the last and stops", async () => {
   const { page, noise, close } = await open("full", { hash: "#t=13" });
   await page.keyboard.press(" ");

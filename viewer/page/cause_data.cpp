@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 // A page tells the nearest causes; cut places say that there is more, which `aerascope why` tells.
-constexpr CauseLimits kWhyLimits{5, 60};
+constexpr CauseLimits kWhyLimits{4, 40};
 
 // The third number of a node.
 enum NodeSign { kPlain = 0, kToldAbove = 1, kHasMore = 2 };

@@ -82,7 +82,9 @@ class App {
     const seconds = Number.parseFloat(state.get("t"));
     if (Number.isFinite(seconds)) this.t = clamp(seconds * 1e6, this.report.clock.start, this.report.clock.end);
     const wanted = state.get("sel") || "";
-    this.select(this.subject(wanted) ? wanted : this.selected || this.firstChoice());
+    const chosen = this.subject(wanted) ? wanted : this.selected || this.firstChoice();
+    if (!Number.isFinite(seconds) && !this.selected) this.t = this.firstMoment(this.subject(chosen));
+    this.select(chosen);
     this.go(this.t);
   }
   // Where nobody chose: the first thing made by analogy, else the first learned, else anything.
@@ -90,6 +92,13 @@ class App {
     const { lanes, pieces, subjects } = this.report;
     const first = lanes.analogy[0] || lanes.taught[0] || pieces[0];
     return first ? first.subject : Object.keys(subjects)[0] || "";
+  }
+
+  // Where nobody said when: the first time that experience spoke about the chosen thing, else when it came about.
+  firstMoment(subject) {
+    if (!subject) return this.report.clock.start;
+    const spoken = (subject.confidence || [])[1];
+    return spoken ? spoken.at : Math.max(subject.born, this.report.clock.start);
   }
 
   setTheme(theme) {

@@ -90,9 +90,9 @@ function inspectorPane(app) {
       picture.append(svg("line", { class: "grid", x1: left, x2: right, y1: Y(value), y2: Y(value) }),
         svg("text", { x: left - 6, y: Y(value) + 4, "text-anchor": "end", text: String(Number(value.toFixed(2))).replace(/^0\./, ".") }));
     }
-    const ticks = Math.min(8, app.frames.length);
-    for (let i = 0; i < ticks; ++i) {
-      const at = app.frames[Math.round(i * (app.frames.length - 1) / Math.max(1, ticks - 1))];
+    const every = Math.ceil(app.frames.length / 9);
+    for (let i = 0; i < app.frames.length; i += every) {
+      const at = app.frames[i];
       picture.append(svg("text", { x: X(at), y: 88, "text-anchor": "middle", text: tickText(at) + (i ? "" : " s") }));
     }
     const now = svg("line", { class: "now", y1: 6, y2: bottom + 4 });

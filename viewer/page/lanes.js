@@ -157,14 +157,14 @@ function lanesPane(app) {
         : `M${x} ${top}h${w}v${h}h${-w}Z`;
     const failed = bar.outcome === "failed" || bar.refused;
     const decided = bar.outcome === "true" || failed;
-    const signRoom = decided && w > 22 ? 11 : 0;
+    const signRoom = decided && w > 22 ? 10 : 0;
     const left = x + (shape === "left" ? tip + 1 : 4);
-    const words = fitted(bar.text, x + w - left - signRoom - (shape === "right" ? tip - 2 : 2), 11);
+    const words = fitted(bar.text, x + w - left - signRoom - (shape === "right" ? tip - 3 : 2), 11);
     const state = { true: ", came true", failed: ", failed", open: "" }[bar.outcome] || (bar.refused ? ", refused" : "");
     const title = (bar.full || bar.text) + ", " + secondsText(bar.from) + " to " + secondsText(bar.to) + state;
     return selectable(bar.subject, title, (failed ? "failed " : "") + (bar.by || ""), bar.from,
       svg("path", { class: "bar", d }), svg("text", { x: left, y: top + 13, text: words }),
-      signRoom ? signAt(failed ? "cross" : "check", x + w - (shape === "right" ? tip + 3 : 9), top + h / 2, 10, "mark") : "");
+      signRoom ? signAt(failed ? "cross" : "check", x + w - (shape === "right" ? tip + 1 : 8), top + h / 2, 10, "mark") : "");
   }
 
   function laneMark(entry, next, y, sign) {

@@ -261,15 +261,15 @@ class ReportAuthor {
                                                     : "Task solving: the agent commands"}});
     json goals = json::array();
     for (const DriveOutcome& drive : summary_.drives)
-      goals.push_back({{"from", drive.from.us},
-                       {"to", drive.until.us},
+      goals.push_back({{"from", FrameStart(drive.from).us},
+                       {"to", BarEnd(drive.from, drive.until).us},
                        {"text", Printable(drive.title)},
                        {"outcome", OutcomeWord(drive.outcome)},
                        {"subject", IdText(drive.goal)}});
     json commands = json::array();
     for (const IssuedCommand& command : CommandsOf(run_))
-      commands.push_back({{"from", command.time.us},
-                          {"to", std::max(command.interval.before, command.time).us},
+      commands.push_back({{"from", FrameStart(command.time).us},
+                          {"to", BarEnd(command.time, command.interval.before).us},
                           {"text", CommandWord(command.command)},
                           {"full", PayloadText(knowledge_, command.command)},
                           {"by", std::string(EnumName(command.by))},
@@ -277,8 +277,8 @@ class ReportAuthor {
                           {"subject", IdText(command.event)}});
     json predictions = json::array();
     for (const PredictionRecordOfRun& prediction : summary_.predictions)
-      predictions.push_back({{"from", prediction.time.us},
-                             {"to", std::max(prediction.until, prediction.time).us},
+      predictions.push_back({{"from", FrameStart(prediction.time).us},
+                             {"to", BarEnd(prediction.time, prediction.until).us},
                              {"text", ShortTarget(prediction)},
                              {"full", FactText(knowledge_, prediction.target)},
                              {"outcome", OutcomeWord(prediction.outcome)},
@@ -301,6 +301,19 @@ class ReportAuthor {
             {"commands", commands}, {"predictions", predictions},
             {"taught", taught},     {"taught_label", all_taught ? "Learned: taught" : "Learned"},
             {"analogy", analogy}};
+  }
+
+  // Bars of the lanes cover whole frames: reasoning and commands begin a little after a frame does.
+  Time FrameStart(Time t) const {
+    const auto frame = run_.FrameAt(t);
+    return frame ? run_.frames()[*frame].interval.after : t;
+  }
+  // The start of the frame in which `until` lies, or that frame's end where the bar would be empty.
+  Time BarEnd(Time from, Time until) const {
+    const Time end = FrameStart(until);
+    if (end > FrameStart(from)) return end;
+    const auto frame = run_.FrameAt(from);
+    return frame ? run_.frames()[*frame].interval.before : std::max(until, from);
   }
 
   static std::string OutcomeWord(Outcome outcome) {

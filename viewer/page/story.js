@@ -53,8 +53,9 @@ function storyPane(app) {
       for (const row of rows) {
         row.item.hidden = !matches(row);
         if (row.item.hidden) continue;
-        row.item.classList.toggle("again", row.at === before);
-        before = row.at;
+        const when = secondsText(row.at);
+        row.item.classList.toggle("again", when === before);
+        before = when;
         ++shown;
       }
       none.hidden = shown > 0;
