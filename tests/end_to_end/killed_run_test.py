@@ -1,4 +1,4 @@
-"""A run is killed with SIGKILL at random moments: its file opens, is a gapless beginning, and says that it is cut short."""
+"""Runs are killed with SIGKILL at random moments: each file opens, is a gapless beginning and says that it is cut short."""
 
 import json
 import os
@@ -9,22 +9,24 @@ import sqlite3
 import time
 from contextlib import closing
 
-from support import DEMO, PATIENCE_S, SCRIPTED, EndToEndTest, call, events, packed_data, recorded, scenario_in, start
+from support import DEMO, PATIENCE_S, SCRIPTED, EndToEndTest, call, packed_data, recorded, scenario_in, start
 
 # The same moments each time, as far as a machine allows; AERASCOPE_KILLS=500 tries more.
 RANDOM_SEED = 20200115
 SCRIPTED_KILLS = int(os.environ.get("AERASCOPE_KILLS", "50"))
 MUJOCO_KILLS = 5
 
-# A kill before the file is there proves nothing; so many of the kills must have hit a run that was under way.
+# A kill before the file is there or before anything was committed (events are stored every 50 ms) proves little; so many
+# of the kills must have hit a run that was under way, and so many must have left events behind.
 ENOUGH_HITS = 0.8
+ENOUGH_WITH_EVENTS = 0.4
 
 
 def with_many_drives(text):
     """A scenario whose five drives are asked for again and again, so that the run lasts long enough to be killed."""
     start_of_drives = text.index("[[drives]]")
     back = '\n[[drives]]\ntitle = "hold nothing"\nmodel = "drive_hold_nothing"\n\n'
-    return text[:start_of_drives] + back.join([text[start_of_drives:]] * 8)
+    return text[:start_of_drives] + back.join([text[start_of_drives:]] * 60)
 
 
 def committed_events(episode, folder):
@@ -39,23 +41,28 @@ def committed_events(episode, folder):
     return len(rows), max(rows, default=0)
 
 
+def log_of(episode):
+    """The lines of the episode's log."""
+    outcome = call("events", episode, "--format", "ndjson")
+    assert outcome.status == 0, outcome
+    return outcome.out.splitlines()
+
+
 class KilledRun(EndToEndTest):
     def check_kills(self, scenario, kills):
         """Kills runs of the scenario after random numbers of lines of progress, and at random moments between them."""
-        whole = recorded(scenario, self.id())
-        expected = events(whole)
-        steps = len([event for event in expected if event["kind"] == "CommandIssued"])
+        expected = log_of(recorded(scenario, self.id()))
+        steps = sum('"kind":"CommandIssued"' in line for line in expected)
         chance = random.Random(RANDOM_SEED)
-        hits, lengths = 0, set()
+        lengths = []
         for number in range(kills):
             moment = chance.randrange(steps), chance.uniform(0, 0.02)
             with self.subTest(kill=number, after_commands=moment[0], and_seconds=moment[1]):
                 length = self.check_one_kill(scenario, number, moment, expected)
                 if length is not None:
-                    hits += 1
-                    lengths.add(length)
-        self.assertGreaterEqual(hits, ENOUGH_HITS * kills, "most kills came before the file or after the end")
-        self.assertGreater(len(lengths), min(kills, 10) // 3, f"the kills hit too few moments: {sorted(lengths)}")
+                    lengths.append(length)
+        self.assertGreaterEqual(len(lengths), ENOUGH_HITS * kills, "kills came before the file or after the end")
+        self.assertGreaterEqual(sum(length > 0 for length in lengths), ENOUGH_WITH_EVENTS * kills, lengths)
 
     def check_one_kill(self, scenario, number, moment, expected):
         """The number of events that survived; nothing if the run was not under way."""
@@ -78,16 +85,17 @@ class KilledRun(EndToEndTest):
 
         committed, last = committed_events(episode, copies)
         self.assertEqual(committed, last, "the events that are in the file have gaps")
-        log = events(episode)
+        log = log_of(episode)
         self.assertEqual(len(log), committed, "events that were committed are missing")
         self.assertTrue(log == expected[:committed], "the file is not a beginning of the whole run")
         if committed == len(expected):
             return None  # Killed in the last breath: everything is there.
 
-        self.assertEqual(call("kb", episode).status, 0)
-        verified = call("verify", episode)
-        self.assertEqual(verified.status, 1, verified)
-        self.assertIn("incomplete", verified.out)
+        if number % 5 == 0:
+            self.assertEqual(call("kb", episode).status, 0)
+            verified = call("verify", episode)
+            self.assertEqual(verified.status, 1, verified)
+            self.assertIn("incomplete", verified.out)
         report = call("report", episode, "-o", folder / "report.html", "--no-frames")
         self.assertEqual(report.status, 0, report)
         self.assertIn("incomplete", report.err)
