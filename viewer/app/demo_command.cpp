@@ -1,6 +1,5 @@
 // aerascope demo: the paper's pick-and-place, from teaching to report, in one command.
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -27,7 +26,8 @@ int Demo(const Options& options) {
   if (!path) return Fail(path.error());
   auto scenario = LoadScenario(*path);
   if (!scenario) return Fail(scenario.error());
-  const Scenario chosen = options.seed ? WithRandomSeed(*std::move(scenario), *options.seed) : *std::move(scenario);
+  const Scenario chosen =
+      options.seed ? WithRandomSeed(*std::move(scenario), *options.seed) : *std::move(scenario);
   if (Status made = MakeFolder(options.folder); !made) return Fail(made.error());
   const std::string episode = options.folder + "/demo.episode";
   const std::string report = options.folder + "/demo.html";
@@ -50,9 +50,12 @@ int Demo(const Options& options) {
 
 void AddDemoCommand(CLI::App& app, Chosen* chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("demo", "The paper's pick-and-place: run it, write the report, say where it is");
-  command->add_option("--out", options->folder, "Folder for episode, report and sheet")->capture_default_str();
-  command->add_option("--seed", options->seed, "Random seed of the world, instead of the scenario's");
+  CLI::App* command =
+      app.add_subcommand("demo", "The paper's pick-and-place: run it, write the report, say where it is");
+  command->add_option("--out", options->folder, "Folder for episode, report and sheet")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Random seed of the world, instead of the scenario's")
+      ->check(CheckRandomSeed);
   command->callback([=] { *chosen = [=] { return Demo(*options); }; });
 }
 

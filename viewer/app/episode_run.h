@@ -12,6 +12,9 @@ Result<RecordedEpisode> RecordWithProgress(const Scenario& scenario, const std::
 // "5 of 5 drives reached in 16 frames; 912 events, digest 0f3c..."
 std::string OutcomeText(const RecordedEpisode& episode);
 
+// For CLI11's check(): empty if text is a random seed, else what is wrong with it.
+std::string CheckRandomSeed(const std::string& text);
+
 // A file below assets/, found from where the program is, or an error that says where it was looked for.
 Result<std::string> FindAsset(const std::string& name);
 

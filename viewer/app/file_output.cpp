@@ -4,12 +4,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "engine/store/episode_header.h"
 
 namespace aerascope {
 namespace {
@@ -22,10 +26,25 @@ Status WriteAll(int file, std::string_view bytes, const std::string& path) {
   while (!bytes.empty()) {
     const ssize_t written = write(file, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && errno == EPIPE)
+      return Ok();  // A reader that has seen enough, such as `head`, is no trouble.
     if (written < 0) return Trouble("cannot write", path, errno);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return Ok();
+}
+
+// Episodes are written by `run` alone; a report or picture named like one is a slip that would cost the
+// episode.
+bool IsEpisode(const std::string& path) {
+  constexpr std::size_t kApplicationIdAt = 68;  // in the header of every SQLite file
+  std::array<char, kApplicationIdAt + 4> header{};
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(header.data(), header.size())) return false;
+  std::int32_t id = 0;
+  for (std::size_t i = kApplicationIdAt; i < header.size(); ++i)
+    id = id << 8 | static_cast<unsigned char>(header[i]);
+  return std::string_view(header.data()) == "SQLite format 3" && id == kEpisodeApplicationId;
 }
 
 bool IsPlainOrNew(const std::string& path) {
@@ -37,11 +56,15 @@ bool IsPlainOrNew(const std::string& path) {
 
 Status CheckWritable(const std::string& path) {
   if (path == "-") return Ok();
+  if (path.empty()) return Error{"expected the name of a file to write, found an empty one"};
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
     return Error{"cannot write " + path + ": it is a folder; name a file in it"};
   }
   if (!IsPlainOrNew(path)) return Ok();
+  if (IsEpisode(path)) {
+    return Error{"cannot write " + path + ": it is an episode; name another file, or remove it first"};
+  }
   std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (folder.empty()) folder = ".";
   if (access(folder.c_str(), W_OK | X_OK) == 0) return Ok();

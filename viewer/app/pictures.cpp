@@ -159,6 +159,9 @@ Status WriteReports(const Run& run, const std::string& episode_path, const Repor
     if (path.empty()) continue;
     if (Status fine = CheckWritable(path); !fine) return fine;
   }
+  if (!files.html.empty() && files.html == files.sheet) {
+    return Error{"the report and the sheet cannot both be " + files.html + "; name two files"};
+  }
   ProgressLine progress;
   ReportFrames film;
   SheetFrames sheet_frames;

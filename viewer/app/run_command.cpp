@@ -1,6 +1,5 @@
 // aerascope run: a scenario becomes an episode.
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -22,7 +21,8 @@ struct Options {
 int Run(const Options& options) {
   auto scenario = LoadScenario(options.scenario);
   if (!scenario) return Fail(scenario.error());
-  const Scenario chosen = options.seed ? WithRandomSeed(*std::move(scenario), *options.seed) : *std::move(scenario);
+  const Scenario chosen =
+      options.seed ? WithRandomSeed(*std::move(scenario), *options.seed) : *std::move(scenario);
   auto recorded = RecordWithProgress(chosen, options.output);
   if (!recorded) return Fail(recorded.error());
   std::printf("%s\n%s\n", OutcomeText(*recorded).c_str(), options.output.c_str());
@@ -33,10 +33,12 @@ int Run(const Options& options) {
 
 void AddRunCommand(CLI::App& app, Chosen* chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("run", "Run a scenario and write its episode; status 1 if a drive was missed");
+  CLI::App* command =
+      app.add_subcommand("run", "Run a scenario and write its episode; status 1 if a drive was missed");
   command->add_option("scenario", options->scenario, "The scenario file (TOML)")->required();
   command->add_option("-o,--output", options->output, "The episode file to write")->required();
-  command->add_option("--seed", options->seed, "Random seed of the world, instead of the scenario's");
+  command->add_option("--seed", options->seed, "Random seed of the world, instead of the scenario's")
+      ->check(CheckRandomSeed);
   command->callback([=] { *chosen = [=] { return Run(*options); }; });
 }
 

@@ -1,12 +1,13 @@
-// aerascope trials: the same scenario over many random seeds, without pictures; the table of what was reached.
+// aerascope trials: the same scenario over many random seeds, without pictures; the table of what was
+// reached.
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <map>
 #include <memory>
 
 #include "engine/episode/run_episode.h"
 #include "viewer/app/commands.h"
+#include "viewer/app/episode_run.h"
 #include "viewer/app/terminal.h"
 
 namespace aerascope {
@@ -87,8 +88,12 @@ void AddTrialsCommand(CLI::App& app, Chosen* chosen) {
   CLI::App* command =
       app.add_subcommand("trials", "Run a scenario over many random seeds and print what was reached");
   command->add_option("scenario", options->scenario, "The scenario file (TOML)")->required();
-  command->add_option("--seeds", options->count, "How many seeds")->check(CLI::Range(1, 1'000'000))->capture_default_str();
-  command->add_option("--first-seed", options->first_seed, "The first seed")->capture_default_str();
+  command->add_option("--seeds", options->count, "How many seeds")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--first-seed", options->first_seed, "The first seed")
+      ->check(CheckRandomSeed)
+      ->capture_default_str();
   command->callback([=] { *chosen = [=] { return RunTrials(*options); }; });
 }
 
