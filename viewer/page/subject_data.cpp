@@ -26,7 +26,7 @@ std::string VerdictText(AnalogyVerdict verdict) {
     case AnalogyVerdict::kNotFamiliar:
       return "rejected: not familiar enough";
     case AnalogyVerdict::kNothingObserved:
-      return "rejected: nothing is known of the object";
+      return "rejected: no condition that holds speaks of the object";
     case AnalogyVerdict::kFreeVariable:
       return "rejected: what remains leaves a variable open";
     case AnalogyVerdict::kBlackListed:
