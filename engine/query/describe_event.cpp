@@ -100,7 +100,11 @@ class Teller {
 
   std::string Tell(const Event& event) const {
     const std::string sentence = std::visit([&](const auto& body) { return Of(body); }, event.body);
-    return event.simulation.valid() ? "In " + IdText(event.simulation) + ": " + sentence : sentence;
+    // Its beginning and end name the simulation themselves.
+    const bool names_it = std::holds_alternative<SimulationStarted>(event.body) ||
+                          std::holds_alternative<SimulationEnded>(event.body);
+    if (!event.simulation.valid() || names_it) return sentence;
+    return "In " + IdText(event.simulation) + ": " + sentence;
   }
 
   std::string TargetOf(GoalId goal) const {

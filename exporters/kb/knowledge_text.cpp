@@ -47,16 +47,28 @@ class Writer {
 
   void Write() {
     std::size_t pieces = 0;
-    for (const TriadGroup& group : graph_.groups) pieces += group.triads.size();
+    std::size_t models = 0;
+    for (const TriadGroup& group : graph_.groups) {
+      pieces += group.triads.size();
+      models += IsDrive(group) ? 0 : 1;
+    }
     out_ << "Knowledge at " << SecondsText(knowledge_.now()) << ": "
          << Count(pieces, "piece of knowledge", "pieces of knowledge") << " about "
-         << Count(graph_.groups.size(), "model", "models") << ", "
+         << Count(models, "model", "models") << ", "
          << Count(knowledge_.composite_states().size(), "composite state", "composite states") << ".\n";
-    for (const TriadGroup& group : graph_.groups) WriteGroup(group);
+    for (const TriadGroup& group : graph_.groups) {
+      if (!IsDrive(group)) WriteGroup(group);
+    }
     WriteOtherStates();
+    WriteDrives();
   }
 
  private:
+  bool IsDrive(const TriadGroup& group) const {
+    const ModelRecord* record = knowledge_.Find(group.causal_model);
+    return record && KindOf(record->model) == ModelKind::kDrive && group.triads.empty();
+  }
+
   void WriteGroup(const TriadGroup& group) {
     const ModelRecord* record = knowledge_.Find(group.causal_model);
     out_ << "\n" << IdText(group.causal_model) << "  ";
@@ -105,6 +117,17 @@ class Writer {
       const std::string source = record.derived_from.valid() ? IdText(record.derived_from) : "";
       out_ << "  " << IdText(id) << "  " << Join(texts, "; ") << "  ("
            << OriginText(record.origin, source, record.created) << ")\n";
+    }
+  }
+
+  void WriteDrives() {
+    bool first = true;
+    for (const TriadGroup& group : graph_.groups) {
+      if (!IsDrive(group)) continue;
+      if (first) out_ << "\nDrive models\n";
+      first = false;
+      out_ << "  " << IdText(group.causal_model) << "  " << ExplanationOf(knowledge_, group.causal_model)
+           << "\n";
     }
   }
 

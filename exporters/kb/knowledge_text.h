@@ -1,5 +1,5 @@
 // A knowledge base as text for people: causal models, under each what is known of when it works, then
-// composite states that were given or are parts of others.
+// composite states that were given or are parts of others, then drive models.
 #pragma once
 
 #include <iosfwd>
