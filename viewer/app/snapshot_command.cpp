@@ -1,13 +1,14 @@
 // aerascope snapshot: an expected knowledge base kept in a file, as a test.
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 
 #include "engine/base/text.h"
 #include "exporters/snapshot/snapshot.h"
 #include "viewer/app/commands.h"
+#include "viewer/app/file_output.h"
 #include "viewer/app/moment.h"
 #include "viewer/app/terminal.h"
 
@@ -44,10 +45,14 @@ int Test(const Options& options) {
 
 int Accept(const Options& options) {
   if (const char* ci = std::getenv("CI"); ci && *ci) {
-    return Fail("snapshots are not accepted where CI is set; accept them on your own machine and commit the file");
+    return Fail(
+        "snapshots are not accepted where CI is set; accept them on your own machine and commit the file");
   }
   auto knowledge = KnowledgeFor(options);
   if (!knowledge) return Fail(knowledge.error());
+  if (std::filesystem::exists(options.file)) {
+    if (Status fine = CheckWritable(options.file); !fine) return Fail(fine.error());
+  }
   if (Status status = AcceptSnapshot(options.file, *knowledge, {.evidence = options.evidence}); !status) {
     return Fail(status.error());
   }
@@ -65,9 +70,11 @@ void AddArguments(CLI::App* command, Options* options) {
 
 void AddSnapshotCommand(CLI::App& app, Chosen* chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("snapshot", "Test the knowledge base against an expectation kept in a file");
+  CLI::App* command =
+      app.add_subcommand("snapshot", "Test the knowledge base against an expectation kept in a file");
   command->require_subcommand(1);
-  CLI::App* test = command->add_subcommand("test", "Compare; status 0 if it holds, 1 and the difference if not");
+  CLI::App* test =
+      command->add_subcommand("test", "Compare; status 0 if it holds, 1 and the difference if not");
   AddArguments(test, options.get());
   test->callback([=] { *chosen = [=] { return Test(*options); }; });
   CLI::App* accept = command->add_subcommand("accept", "Make the present knowledge the expectation");
