@@ -17,7 +17,8 @@ def own_mounts():
     """What to put before a command so that it may mount; nothing where this system does not let us."""
     for wrapper in (["unshare", "--mount"], ["unshare", "--user", "--map-root-user", "--mount"]):
         try:
-            tried = subprocess.run([*wrapper, "mount", "-t", "tmpfs", "tmpfs", "/mnt"], capture_output=True, check=False)
+            mount = ["mount", "-t", "tmpfs", "tmpfs", "/mnt"]
+            tried = subprocess.run([*wrapper, *mount], capture_output=True, check=False)
         except OSError:
             return None
         if tried.returncode == 0:
@@ -99,7 +100,7 @@ class BadScenario(EndToEndTest):
 
     def replicode(self, change):
         (self.folder / "seed.replicode").write_text(change(SEED.read_text()))
-        return scenario_in(self.folder, SCRIPTED, replaced(str(SCENARIOS / "pick_and_place.replicode"), "seed.replicode"))
+        return scenario_in(self.folder, SCRIPTED, replaced(str(SEED), "seed.replicode"))
 
     def test_a_replicode_syntax_error(self):
         # The position is that of the mistake: the second column of a line put in as the fifth.
@@ -133,6 +134,13 @@ class BadCommandLine(EndToEndTest):
 
     def test_an_unknown_format(self):
         self.assert_refused("export", scripted_episode(), "--format", "pdf", says=["pdf", "graphml"])
+
+    def test_a_random_seed_that_is_none(self):
+        # -1 and numbers of more than 64 bits were taken for the largest seed.
+        for seed in ("-1", "99999999999999999999", "1.5", "x", ""):
+            with self.subTest(seed=seed):
+                self.assert_refused("run", SCRIPTED, "-o", "x.episode", f"--seed={seed}", says=["--seed"])
+                self.assert_refused("trials", SCRIPTED, f"--first-seed={seed}", says=["--first-seed"])
 
     def test_help_is_there_for_every_command(self):
         for command in ("demo", "run", "trials", "report", "frame", "kb", "events", "why", "diff", "export", "snapshot",
@@ -244,6 +252,29 @@ class BadOutput(EndToEndTest):
         (self.folder / "thesis.txt").write_text("years of work")
         self.assert_refused("run", SCRIPTED, "-o", "thesis.txt", says=["thesis.txt", "another kind of file"])
 
+    def test_an_episode_is_not_overwritten_by_a_report_or_an_export(self):
+        # `report X -o X` replaced the episode by its report.
+        shutil.copy(scripted_episode(), self.folder / "out")
+        for command in [*self.writers("out")[1:], ["snapshot", "accept", scripted_episode(), "out"]]:
+            with self.subTest(command=command[0]):
+                self.assert_refused(*command, says=["out"])
+
+    def test_report_and_sheet_in_one_file(self):
+        self.assert_refused("report", scripted_episode(), "--no-frames", "-o", "out", "--png", "out", says=["out"])
+
+    def test_an_output_without_a_name(self):
+        for command in self.writers("")[3:]:
+            with self.subTest(command=command[0]):
+                self.assert_refused(*command)
+
+    def test_a_reader_that_has_seen_enough_is_no_trouble(self):
+        for command in (["events", demo_episode(), "--format", "ndjson"], ["kb", demo_episode()]):
+            with self.subTest(command=command[0]):
+                with start(*command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as program:
+                    program.stdout.close()
+                    said = program.stderr.read()
+                self.assertEqual((program.returncode, said), (0, b""))
+
     def test_two_outputs_are_both_written_or_neither(self):
         self.assert_refused("report", scripted_episode(), "--no-frames", "-o", "good.html", "--png", "missing/bad.png",
                             says=["missing/bad.png"])
@@ -283,7 +314,7 @@ class BadOutput(EndToEndTest):
                 self.assertEqual((outcome.status, left), (2, []), outcome)
                 # What came before may be progress; the error is the last line.
                 error = outcome.err.splitlines()[-1]
-                self.assertRegex(error, "^aerascope: cannot write disk/out: (the disk is full|No space left on device)$")
+                self.assertRegex(error, "^aerascope: cannot write disk/out: (the disk is full|No space left on device)")
                 self.assertEqual(outcome.err.count("aerascope: "), 1, outcome)
 
     def test_a_disk_that_fills_up_during_a_run(self):
@@ -346,7 +377,8 @@ class NoEgl(EndToEndTest):
         self.assertTrue((self.folder / "r.png").read_bytes().startswith(b"\x89PNG\r\n"))
 
     def test_a_single_frame_is_refused(self):
-        self.assert_refused("frame", demo_episode(), "-o", "f.png", env=NO_EGL, says=["frames cannot be drawn", "install"])
+        self.assert_refused("frame", demo_episode(), "-o", "f.png", env=NO_EGL,
+                            says=["frames cannot be drawn", "install"])
 
     def test_doctor_says_what_to_install(self):
         outcome = self.run_program("doctor", status=1, env=NO_EGL)

@@ -5,7 +5,7 @@ import re
 import shutil
 import subprocess
 
-from support import (DEMO, SCRIPTED, EndToEndTest, demo_episode, one_lesson_episode, one_lesson_scripted_episode,
+from support import (DEMO, SCRIPTED, EndToEndTest, call, demo_episode, one_lesson_episode, one_lesson_scripted_episode,
                      python_with, recorded, replaced, scenario_in, scripted_episode)
 
 # What nobody learns who was not shown the wide grab on the large cube.
@@ -172,14 +172,17 @@ class Export(EndToEndTest):
 
                 born = scenario_in(self.folder, scenario, born_knowing, name)
                 self.run_program("run", born, "-o", f"{name}.episode")
-                difference = json.loads(self.run_program("diff", episode, f"{name}.episode@0s", "--format", "json",
-                                                         status=1).out)
+                # Evidence may be told with fewer digits, what is known may not differ.
+                compared = call("diff", episode, f"{self.folder / name}.episode@0s", "--format", "json")
+                self.assertIn(compared.status, (0, 1), compared)
+                difference = json.loads(compared.out)
                 self.assertEqual((difference["added"], difference["removed"]), (0, 0), difference["items"])
 
     def drive_label(self, episode):
         """How the exported seed calls each drive model: by its number."""
+        graph = json.loads(self.export("json", episode=episode))
         drives = {re.search(r"run_hold_(\w+)", " ".join(node["lines"]))[1]: node["id"]
-                  for node in json.loads(self.export("json", episode=episode))["nodes"] if node["kind"] == "drive_model"}
+                  for node in graph["nodes"] if node["kind"] == "drive_model"}
         return lambda match: f'model = "{drives[match[1]]}"'
 
     def test_exports_have_the_same_bytes_every_time(self):

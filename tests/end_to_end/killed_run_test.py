@@ -1,4 +1,5 @@
-"""Runs are killed with SIGKILL at random moments: each file opens, is a gapless beginning and says that it is cut short."""
+"""Runs are killed with SIGKILL at random moments: each file opens, is a gapless beginning and says that it is cut
+short."""
 
 import json
 import os
@@ -16,8 +17,8 @@ RANDOM_SEED = 20200115
 SCRIPTED_KILLS = int(os.environ.get("AERASCOPE_KILLS", "50"))
 MUJOCO_KILLS = 5
 
-# A kill before the file is there or before anything was committed (events are stored every 50 ms) proves little; so many
-# of the kills must have hit a run that was under way, and so many must have left events behind.
+# A kill before the file is there or before anything was committed (events are stored every 50 ms) proves little; so
+# many of the kills must have hit a run that was under way, and so many must have left events behind.
 ENOUGH_HITS = 0.8
 ENOUGH_WITH_EVENTS = 0.4
 

@@ -36,8 +36,8 @@ class Why(EndToEndTest):
         self.assertIn("By analogy: grab_type_2 something large", lines[0][1])
         log = events(demo_episode())
         kinds = {log[number - 1]["kind"] for _, _, number in lines}
-        self.assertLessEqual({"ModelCreated", "AnalogyCompared", "CompositeStateCreated", "InductionStarted", "IcstFound",
-                              "CommandIssued", "DriveInjected", "FactObserved"}, kinds)
+        self.assertLessEqual({"ModelCreated", "AnalogyCompared", "CompositeStateCreated", "InductionStarted",
+                              "IcstFound", "CommandIssued", "DriveInjected", "FactObserved"}, kinds)
         # Every branch ends with something that needs no cause.
         shown = {number for _, _, number in lines}
         ends = {log[number - 1]["kind"] for number in shown if not log[number - 1]["causes"]}
