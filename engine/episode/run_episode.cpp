@@ -172,7 +172,10 @@ class EpisodeLoop {
       const Asked& one = asked[std::min(i, asked.size() - 1)];
       journal.Write(during.after, CommandRefused{one.command, done->notes[i]}, {one.event});
     }
-    for (const WorldState& state : done->states) RecordState(state, state.time);
+    // The state at the frame's end is the one the next frame begins with.
+    for (const WorldState& state : done->states) {
+      if (state.time < FrameInterval().before) RecordState(state, state.time);
+    }
     return Ok();
   }
 
@@ -189,7 +192,9 @@ class EpisodeLoop {
   void RecordState(const WorldState& state, Time at) {
     if (last_recorded_ && at <= *last_recorded_) return;
     last_recorded_ = at;
-    reasoner_.journal().Write(at, WorldStateRecorded{at, state.qpos, state.qvel, state.ctrl});
+    // Written when the world has answered: never before what was written already.
+    const Time now = std::max(at, reasoner_.knowledge().now());
+    reasoner_.journal().Write(now, WorldStateRecorded{at, state.qpos, state.qvel, state.ctrl});
   }
 
   const Scenario& scenario_;

@@ -69,7 +69,13 @@ class ScenarioReader {
     if (Status status = ReadSeed(root, open_seed); !status) return status.error();
     ReadWorld(root);
     if (Status status = errors_.First(); !status) return status.error();
-    if (auto reasoner = root.Table("reasoner")) ReadReasoner(*reasoner);
+    if (auto reasoner = root.Table("reasoner")) {
+      ReadReasoner(*reasoner);
+    } else if (scenario_.reasoner.commit_offset >= scenario_.sampling_period) {
+      root.Fail(root.value(), "expected a sampling_period_ms above the " +
+                                  std::to_string(scenario_.reasoner.commit_offset.us / 1000) +
+                                  " ms after which commands are issued (commit_offset_ms)");
+    }
     if (auto recording = root.Table("recording")) ReadRecording(*recording);
     for (ConfigTable& command : root.Tables("teacher")) ReadTeacherCommand(command);
     for (ConfigTable& drive : root.Tables("drives")) ReadDrive(drive);

@@ -627,12 +627,13 @@ class SeedReader {
     for (const SyntaxNode& item : (*list)->items) {
       Result<Term> argument = Value(item, scope);
       if (!argument) return argument.error();
-      bool variables = argument->is(TermKind::kVariable);
+      // A value that is always the same, such as [], stands there as it is.
+      bool allowed = argument->is(TermKind::kVariable) || argument->ground();
       if (argument->IsStruct("ti"))
-        variables = (*argument)[0].is(TermKind::kVariable) && (*argument)[1].is(TermKind::kVariable);
-      if (!variables || !item.label.empty()) {
-        return At(item,
-                  "expected a variable or (ti T0: T1:) as a template argument, found " + Described(item));
+        allowed = (*argument)[0].is(TermKind::kVariable) && (*argument)[1].is(TermKind::kVariable);
+      if (!allowed || !item.label.empty()) {
+        return At(item, "expected a variable, (ti T0: T1:) or a constant as a template argument, found " +
+                            Described(item));
       }
       arguments.push_back(std::move(*argument));
     }

@@ -1,6 +1,9 @@
 #include "engine/store/episode_writer.h"
 
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -9,6 +12,7 @@
 #include <fstream>
 #include <mutex>
 #include <set>
+#include <system_error>
 #include <thread>
 #include <unordered_map>
 #include <vector>
@@ -84,6 +88,26 @@ void RemoveEpisode(const std::string& path) {
   for (const char* suffix : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(path + suffix, ignored);
 }
 
+// While a new episode is written, the earlier one of that name stands beside it.
+constexpr const char* kEarlier = ".earlier";
+
+void MoveEpisode(const std::string& from, const std::string& to) {
+  RemoveEpisode(to);
+  std::error_code ignored;
+  for (const char* suffix : {"", "-wal"}) std::filesystem::rename(from + suffix, to + suffix, ignored);
+}
+
+// SQLite's own message names the wrong reason where a folder is missing or may not be written.
+Status MayWriteFolderOf(const std::string& path) {
+  std::string folder = std::filesystem::path(path).parent_path().string();
+  if (folder.empty()) folder = ".";
+  if (access(folder.c_str(), F_OK) != 0) return Error{"cannot write " + path + ": there is no folder " + folder};
+  if (access(folder.c_str(), W_OK) != 0) {
+    return Error{"cannot write " + path + ": " + std::generic_category().message(errno)};
+  }
+  return Ok();
+}
+
 // SQLite counts commits in the file header. How many there were depends on the clock, so the finished file
 // says 1.
 bool FixChangeCounter(const std::string& path) {
@@ -110,10 +134,13 @@ class Store : public ContentIds {
   // Creates the file with its header; on failure nothing is left behind.
   Status Create(const std::string& path, const EpisodeHeader& header) {
     path_ = path;
-    RemoveEpisode(path);
+    if (Status allowed = MayWriteFolderOf(path); !allowed) return allowed;
     std::error_code error;
+    replaces_ = std::filesystem::exists(path, error);
+    if (replaces_) MoveEpisode(path, path + kEarlier);
+    RemoveEpisode(path);
     if (std::filesystem::exists(path, error)) {
-      return Error{"cannot write " + path + ": the earlier episode there cannot be removed"};
+      return Error{"cannot write " + path + ": the earlier episode there cannot be moved out of the way"};
     }
     const int opened = database_.Open(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
     if (opened != SQLITE_OK || !CreateTables() || !InsertHeader(header) || !StartLogging()) {
@@ -178,6 +205,8 @@ class Store : public ContentIds {
       Discard();
       return error;
     }
+    if (replaces_) RemoveEpisode(path_ + kEarlier);
+    replaces_ = false;
     return digest_.Value();
   }
 
@@ -386,9 +415,12 @@ class Store : public ContentIds {
     Close();
     database_ = {};
     RemoveEpisode(path_);
+    if (replaces_) MoveEpisode(path_ + kEarlier, path_);
+    replaces_ = false;
   }
 
   std::string path_;
+  bool replaces_ = false;  // an earlier episode was moved aside and comes back if this one fails
   Database database_;
   Statement content_;
   std::array<Statement, kCausesPerInsert> causes_;  // for 1, 2, 3 ... rows

@@ -25,6 +25,7 @@ Result<KnowledgeBase> KnowledgeIn(const std::string& text) {
   const EpisodeAt which = SplitEpisodeAt(text);
   auto run = OpenRun(which.path);
   if (!run) return run.error();
+  NoteIncomplete(which.path, run->complete(), run->events().size());
   auto at = ParseMoment(which.moment, *run);
   if (!at) return at.error();
   return run->KnowledgeBaseAt(*at);

@@ -35,6 +35,7 @@ int PrintEvents(const Options& options) {
   }
   auto run = OpenRun(options.episode);
   if (!run) return Fail(run.error());
+  NoteIncomplete(options.episode, run->complete(), run->events().size());
   if (!options.from.empty()) {
     auto from = ParseMoment(options.from, *run);
     if (!from) return Fail(from.error());

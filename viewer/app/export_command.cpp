@@ -36,6 +36,7 @@ Status WriteAs(const std::string& format, const KnowledgeBase& knowledge, std::o
 int Export(const Options& options) {
   auto run = OpenRun(options.episode);
   if (!run) return Fail(run.error());
+  NoteIncomplete(options.episode, run->complete(), run->events().size());
   auto at = ParseMoment(options.at, *run);
   if (!at) return Fail(at.error());
   std::ostringstream text;

@@ -27,6 +27,7 @@ int DrawFrame(const Options& options) {
   if (!size) return Fail(size.error());
   auto run = OpenRun(options.episode);
   if (!run) return Fail(run.error());
+  NoteIncomplete(options.episode, run->complete(), run->events().size());
   auto at = ParseMoment(options.at, *run);
   if (!at) return Fail(at.error());
   auto pictures = EpisodePictures::Open(*run);

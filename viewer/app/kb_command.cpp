@@ -21,6 +21,7 @@ struct Options {
 int PrintKnowledge(const Options& options) {
   auto run = OpenRun(options.episode);
   if (!run) return Fail(run.error());
+  NoteIncomplete(options.episode, run->complete(), run->events().size());
   auto at = ParseMoment(options.at, *run);
   if (!at) return Fail(at.error());
   std::ostringstream text;

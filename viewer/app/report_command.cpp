@@ -28,10 +28,7 @@ int MakeReport(Options options) {
   options.files.frames = !options.no_frames;
   auto run = OpenRun(options.episode);
   if (!run) return Fail(run.error());
-  if (!run->complete()) {
-    std::fprintf(stderr, "%s is incomplete: the run was cut short, the last event is #%zu\n", options.episode.c_str(),
-                 run->events().size());
-  }
+  NoteIncomplete(options.episode, run->complete(), run->events().size());
   if (Status written = WriteReports(*run, options.episode, options.files); !written) return Fail(written.error());
   for (const std::string& path : {options.files.html, options.files.sheet}) {
     if (!path.empty() && path != "-") std::printf("%s\n", path.c_str());

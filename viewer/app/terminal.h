@@ -13,6 +13,9 @@ namespace aerascope {
 int Fail(const Error& error);
 int Fail(std::string_view message);
 
+// Says on standard error that an episode was cut short, if it was.
+void NoteIncomplete(const std::string& path, bool complete, std::size_t events);
+
 // Progress of one activity. On a terminal the line is overwritten; elsewhere a line is printed only when its text is
 // marked worth keeping.
 class ProgressLine {

@@ -21,6 +21,7 @@ struct Options {
 int Explain(const Options& options) {
   auto run = OpenRun(options.episode);
   if (!run) return Fail(run.error());
+  NoteIncomplete(options.episode, run->complete(), run->events().size());
   auto id = run->FindObject(options.id);
   if (!id) return Fail(id.error());
   const EventId event = run->CreationOf(*id);
