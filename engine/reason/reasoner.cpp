@@ -92,7 +92,9 @@ void Reasoner::BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed) {
   previous_ = std::move(situation_);
   situation_ = Situation(interval);
   journal_.Write(interval.after, FrameStarted{interval});
-  for (const SituationFact& property : properties_) situation_.Add(property);
+  for (const SituationFact& property : properties_) {
+    if (property.fact.interval.Overlaps(interval)) situation_.Add(property);
+  }
   for (const Fact& fact : sensed) AddFact(fact, FactSource::kSensor, interval.after, {});
   CheckPredictions();
   CheckDrive();

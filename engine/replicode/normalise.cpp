@@ -333,6 +333,7 @@ SeedKnowledge SeedFrom(const KnowledgeBase& knowledge) {
   SeedKnowledge seed;
   seed.symbols = knowledge.symbols();
   for (const auto& [id, record] : knowledge.facts()) {
+    if (record.fact.interval.before < kForever) continue;  // of a moment, not knowledge to begin with
     seed.facts.push_back({"fact_" + std::to_string(id.value), record.fact});
   }
   for (const auto& [id, record] : knowledge.composite_states()) {

@@ -66,6 +66,7 @@ def listed_knowledge(text):
             origin = f"by analogy with {titles[analogy[1]]}" if analogy else "learned"
             needs, _, without = found["needs"].partition("  (without: ")
             causal[-1][1].append((found["title"], origin, needs, without.rstrip(")") or None))
+    drives += re.findall(r"^  mdl_\d+  (.+)$", text.partition("Drive models\n")[2], re.MULTILINE)
     return [(title, sorted(requirements)) for title, requirements in causal], sorted(drives)
 
 
@@ -93,7 +94,7 @@ class Knowledge(EndToEndTest):
         self.assertEqual(len(causal), len(EXPECTED_KNOWLEDGE), "a causal model is listed twice")
         self.assertEqual(drives, EXPECTED_DRIVES)
         # H at P is a condition of the requirement model of move; the other two given ones stand alone.
-        others = text.partition("Other composite states\n")[2]
+        others = text.partition("Other composite states\n")[2].partition("Drive models\n")[0]
         self.assertEqual(re.findall(r"cst_\d+  (.+?)  \(given\)", others), ["C shape X, at P", "C size X, at P"])
         self.assertEqual(len(others.strip().splitlines()), 2, others)
 
