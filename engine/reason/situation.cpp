@@ -30,8 +30,10 @@ std::size_t Situation::Add(SituationFact fact) {
   const std::size_t position = facts_.size();
   const Key exact = KeyOf(fact.fact.payload, nullptr);
   // Stored under each key a pattern may ask with: fully known, object unknown, attribute unknown, both unknown.
-  std::set<Key> keys{exact, {exact.kind, exact.what, 0}, {exact.kind, 0, exact.object}, {exact.kind, 0, 0}};
-  for (const Key& key : keys) by_key_[key].push_back(position);
+  by_key_[exact].push_back(position);
+  if (exact.object != 0) by_key_[{exact.kind, exact.what, 0}].push_back(position);
+  if (exact.what != 0) by_key_[{exact.kind, 0, exact.object}].push_back(position);
+  if (exact.what != 0 && exact.object != 0) by_key_[{exact.kind, 0, 0}].push_back(position);
   facts_.push_back(std::move(fact));
   return position;
 }

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/episode/run_episode.h"
 #include "engine/query/run.h"
@@ -36,32 +37,50 @@ std::string ScratchEpisode() {
   return (std::filesystem::temp_directory_path() / ("aerascope_bench_" + std::to_string(getpid()) + ".episode")).string();
 }
 
-// The task is 1.5 s of engine time; twice in a row makes the 3 s of the target.
-void ReasonThroughTask(benchmark::State& state) {
-  const Scenario scenario = Load("pick_and_place_scripted.toml");
-  NoSink sink;
-  for (auto _ : state) {
-    for (int i = 0; i < 2; ++i) {
-      auto world = MakeWorld(scenario);
-      auto outcome = RunEpisode(scenario, world->get(), &sink);
-      benchmark::DoNotOptimize(outcome.ok());
-    }
+// The paper's task, and its drives again and again until the episode is a good 3 s of engine time.
+Scenario ThreeSeconds() {
+  Scenario scenario = Load("pick_and_place_scripted.toml");
+  const std::vector<Drive> task = scenario.drives;
+  for (int i = 0; i < 2; ++i) {
+    scenario.drives.push_back(task[1]);  // what was taken last is put down first
+    scenario.drives.insert(scenario.drives.end(), task.begin(), task.end());
   }
-  state.counters["events"] = static_cast<double>(sink.count) / static_cast<double>(state.iterations());
+  scenario.max_frames *= 4;
+  return scenario;
+}
+
+void Report(benchmark::State& state, const Scenario& scenario, const EpisodeOutcome& outcome) {
+  if (outcome.drives_reached != outcome.drives) state.SkipWithError("a drive was missed");
+  state.counters["engine_s"] = static_cast<double>(outcome.frames * scenario.sampling_period.us) / 1e6;
+  state.counters["events"] = static_cast<double>(outcome.events);
   state.counters["peak_MiB"] = PeakMemoryMiB();
 }
-BENCHMARK(ReasonThroughTask)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
-void ReasonThroughTaskIntoFile(benchmark::State& state) {
-  const Scenario scenario = Load("pick_and_place_scripted.toml");
-  const std::string path = ScratchEpisode();
+void ReasonThreeSeconds(benchmark::State& state) {
+  const Scenario scenario = ThreeSeconds();
+  NoSink sink;
+  EpisodeOutcome last;
   for (auto _ : state) {
-    for (int i = 0; i < 2; ++i) benchmark::DoNotOptimize(RecordEpisode(scenario, path, "bench").ok());
+    auto world = MakeWorld(scenario);
+    auto outcome = RunEpisode(scenario, world->get(), &sink);
+    if (outcome.ok()) last = *outcome;
+  }
+  Report(state, scenario, last);
+}
+BENCHMARK(ReasonThreeSeconds)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+void ReasonThreeSecondsIntoFile(benchmark::State& state) {
+  const Scenario scenario = ThreeSeconds();
+  const std::string path = ScratchEpisode();
+  EpisodeOutcome last;
+  for (auto _ : state) {
+    auto recorded = RecordEpisode(scenario, path, "bench");
+    if (recorded.ok()) last = recorded->outcome;
   }
   std::filesystem::remove(path);
-  state.counters["peak_MiB"] = PeakMemoryMiB();
+  Report(state, scenario, last);
 }
-BENCHMARK(ReasonThroughTaskIntoFile)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(ReasonThreeSecondsIntoFile)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 void RunWithPhysics(benchmark::State& state) {
   const Scenario scenario = Load("pick_and_place.toml");
