@@ -238,8 +238,9 @@ class Store : public ContentIds {
   }
 
   bool InsertMeanings(const std::vector<StoredTable>& tables) {
+    const Statement prepared = database_.Prepare("INSERT INTO schema_column VALUES(?,?,?)");
     const auto insert = [&](const std::string& table, const std::string& column, const std::string& meaning) {
-      return InsertTexts("INSERT INTO schema_column VALUES(?,?,?)", {table, column, meaning});
+      return StepWithTexts(prepared, {table, column, meaning});
     };
     for (const StoredTable& table : tables) {
       if (!insert(table.name, "", table.meaning)) return false;
@@ -269,10 +270,16 @@ class Store : public ContentIds {
   }
 
   bool InsertTexts(const std::string& sql, const std::vector<std::string>& values) {
-    const Statement insert = database_.Prepare(sql);
+    return StepWithTexts(database_.Prepare(sql), values);
+  }
+
+  static bool StepWithTexts(const Statement& insert, const std::vector<std::string>& values) {
+    if (!insert.get()) return false;
     for (std::size_t i = 0; i < values.size(); ++i)
       BindText(insert.get(), static_cast<int>(i + 1), values[i]);
-    return insert.get() && sqlite3_step(insert.get()) == SQLITE_DONE;
+    const bool done = sqlite3_step(insert.get()) == SQLITE_DONE;
+    sqlite3_reset(insert.get());
+    return done;
   }
 
   bool StartLogging() {
