@@ -14,7 +14,7 @@
 namespace aerascope {
 namespace {
 
-std::vector<Parameter> ParametersOf(const ReasonerParameters& p) {
+std::vector<Parameter> ParametersOf(const ReasonerParameters& p, const EventKindSet& left_out) {
   return {{"analogy_mode", std::string(ToText(p.analogy_mode))},
           {"analogy_min_matched", std::to_string(p.analogy_min_matched)},
           {"analogy_min_psi", FormatNumber(p.analogy_min_psi)},
@@ -27,7 +27,8 @@ std::vector<Parameter> ParametersOf(const ReasonerParameters& p) {
           {"max_simulation_nodes", std::to_string(p.max_simulation_nodes)},
           {"goal_offset", ToText(p.goal_offset)},
           {"command_offset", ToText(p.command_offset)},
-          {"commit_offset", ToText(p.commit_offset)}};
+          {"commit_offset", ToText(p.commit_offset)},
+          {"events_off", NamesOf(left_out)}};
 }
 
 // Counts what passes through.
@@ -56,9 +57,11 @@ class EpisodeLoop {
 
   Result<EpisodeOutcome> Run() {
     Journal& journal = reasoner_.journal();
+    journal.LeaveOut(scenario_.left_out);
     journal.Write(Time{0}, EpisodeStarted{scenario_.title, std::string(WorldKind(scenario_)),
                                           static_cast<std::int64_t>(scenario_.random_seed),
-                                          scenario_.sampling_period.us, ParametersOf(scenario_.reasoner)});
+                                          scenario_.sampling_period.us,
+                                          ParametersOf(scenario_.reasoner, scenario_.left_out)});
     LoadSeed();
     for (frame_ = 0; frame_ <= scenario_.max_frames; ++frame_) {
       auto goes_on = RunFrame();

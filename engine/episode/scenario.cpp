@@ -11,6 +11,7 @@
 #include "engine/base/text.h"
 #include "engine/episode/config.h"
 #include "engine/episode/scenario_world.h"
+#include "engine/event/event.h"
 #include "engine/kb/match.h"
 #include "engine/replicode/reader.h"
 
@@ -63,7 +64,7 @@ class ScenarioReader {
     if (!config) return config.error();
     ConfigTable root(*config, "the scenario", &errors_);
     root.Know({"title", "story", "sampling_period_ms", "random_seed", "max_frames", "seed", "world",
-               "reasoner", "recording", "teacher", "drives"});
+               "reasoner", "recording", "events", "teacher", "drives"});
     root.Finish();
     ReadHead(root);
     if (Status status = ReadSeed(root, open_seed); !status) return status.error();
@@ -77,6 +78,7 @@ class ScenarioReader {
                                   " ms after which commands are issued (commit_offset_ms)");
     }
     if (auto recording = root.Table("recording")) ReadRecording(*recording);
+    if (auto events = root.Table("events")) ReadEvents(*events);
     for (ConfigTable& command : root.Tables("teacher")) ReadTeacherCommand(command);
     for (ConfigTable& drive : root.Tables("drives")) ReadDrive(drive);
     ReadFrames(root);
@@ -166,6 +168,31 @@ class ScenarioReader {
     const double rate = table.Number("world_states_per_second", 20, 0.1, 1000);
     if (auto* mujoco = std::get_if<MujocoWorldConfig>(&scenario_.world)) mujoco->recorded_states_per_s = rate;
     table.Finish();
+  }
+
+  void ReadEvents(ConfigTable& table) {
+    const bool given = table.Has("off");
+    const std::vector<std::string> names = table.Strings("off");
+    table.Finish();
+    if (!given || !errors_.First()) return;
+    scenario_.left_out.reset();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const ConfigValue& where = table.Get("off")->items[i];
+      const std::vector<std::string> reports = ReportKindNames();
+      const std::size_t kind = KindOfName(names[i]);
+      if (IsReportKind(kind)) {
+        scenario_.left_out.set(kind);
+      } else if (kind < kEventKinds) {
+        table.Fail(where, "expected kinds of events that can be switched off (" + Join(reports, ", ") +
+                              "), found " + names[i] +
+                              ", without which the episode could not be understood or replayed");
+      } else {
+        const std::string closest = ClosestWord(names[i], reports);
+        table.Fail(where, "expected kinds of events that can be switched off (" + Join(reports, ", ") +
+                              "), found '" + Printable(names[i]) + "'" +
+                              (closest.empty() ? "" : "; did you mean '" + closest + "'?"));
+      }
+    }
   }
 
   void ReadTeacherCommand(ConfigTable& table) {

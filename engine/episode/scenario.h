@@ -12,6 +12,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/time.h"
+#include "engine/event/report_kinds.h"
 #include "engine/kb/fact.h"
 #include "engine/kb/term.h"
 #include "engine/reason/parameters.h"
@@ -50,8 +51,9 @@ struct Scenario {
   std::uint64_t random_seed = 0;                 // of the world's noise; also in its configuration
   std::vector<TeacherCommand> teacher;           // by rising frame
   std::vector<Drive> drives;
-  std::int64_t first_drive_frame = 1;  // the frame after the teacher's last command
-  std::int64_t max_frames = 0;         // the episode ends here at the latest
+  std::int64_t first_drive_frame = 1;          // the frame after the teacher's last command
+  std::int64_t max_frames = 0;                 // the episode ends here at the latest
+  EventKindSet left_out = LeftOutByDefault();  // kinds of events that are not recorded
 
   // The texts this was read from: "scenario.toml" and "seed.replicode".
   std::map<std::string, std::string> files;
