@@ -62,7 +62,20 @@ void Apply(const Event& event, KnowledgeBase* knowledge_base) {
                         [&](const PlanCommitted&) {},
                         [&](const CommandIssued&) {},
                         [&](const CommandRefused&) {},
-                        [&](const EpisodeEnded&) {}},
+                        [&](const EpisodeEnded&) {},
+                        [&](const ModelRejected&) {},
+                        [&](const ChainingDecided&) {},
+                        [&](const ImdlFired&) {},
+                        [&](const InstanceProgress&) {},
+                        [&](const PredictionInvalidated& e) { kb.ClosePrediction(e.prediction); },
+                        [&](const FactPromoted&) {},
+                        [&](const PromotionDefeated&) {},
+                        [&](const CommandImagined&) {},
+                        [&](const PlanRejected&) {},
+                        [&](const GoalSuspended&) {},
+                        [&](const GoalResumed&) {},
+                        [&](const GoalDropped& e) { kb.CloseGoal(e.goal); },
+                        [&](const FrameCounted&) {}},
              event.body);
 }
 

@@ -1,9 +1,11 @@
-// The kinds of events: what can happen in an episode, one struct a kind, each field with a name and a sentence.
+// The kinds of events: what can happen in an episode, one struct a kind, each field with a name and a
+// sentence.
 //
-// This is the schema. The store makes a table a kind from it, the exporters print it, the digest runs over it and
-// docs/event-schema.md is generated from it. A new field or kind is added here and nowhere else; a change of meaning
-// raises kSchemaVersion (engine/store). Field types: ids, numbers, booleans, enums with EnumNames, strings, Term, Time,
-// TimeInterval, Fact, Evidence, CompositeState, Model, lists of those, and lists of structs with fields of their own.
+// This is the schema. The store makes a table a kind from it, the exporters print it, the digest runs over it
+// and docs/event-schema.md is generated from it. A new field or kind is added here and nowhere else; a change
+// of meaning raises kSchemaVersion (engine/store). Field types: ids, numbers, booleans, enums with EnumNames,
+// strings, Term, Time, TimeInterval, Fact, Evidence, CompositeState, Model, lists of those, and lists of
+// structs with fields of their own.
 #pragma once
 
 #include <array>
@@ -24,7 +26,7 @@ template <class Body, class Value>
 struct Field {
   std::string_view name;
   std::string_view meaning;
-  Value Body::* member;
+  Value Body::*member;
 };
 template <class Body, class Value>
 Field(std::string_view, std::string_view, Value Body::*) -> Field<Body, Value>;
@@ -45,14 +47,16 @@ inline constexpr std::array<std::string_view, 5> kEnumNames<Origin>{"seed", "ind
 template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<ModelState>{"active", "phased_out", "deleted"};
 template <>
-inline constexpr std::array<std::string_view, 4> kEnumNames<FactSource>{"sensor", "property", "executed", "absence"};
+inline constexpr std::array<std::string_view, 4> kEnumNames<FactSource>{"sensor", "property", "executed",
+                                                                        "absence"};
 
 template <class Enum>
 constexpr std::string_view EnumName(Enum value) {
   return kEnumNames<Enum>[static_cast<std::size_t>(value)];
 }
 
-// ---------------------------------------------------------------------------------------------- start, frames, world
+// ---------------------------------------------------------------------------------------------- start,
+// frames, world
 
 struct Parameter {
   std::string name;
@@ -105,7 +109,8 @@ struct WorldStateRecorded {
   std::vector<double> qvel;
   std::vector<double> ctrl;
   static constexpr std::string_view kName = "WorldStateRecorded";
-  static constexpr std::string_view kMeaning = "The state of the world at one instant, enough to draw it again.";
+  static constexpr std::string_view kMeaning =
+      "The state of the world at one instant, enough to draw it again.";
   static constexpr auto Fields() {
     return std::tuple{
         Field{"at", "when, microseconds of engine time", &WorldStateRecorded::at},
@@ -120,15 +125,18 @@ struct FactObserved {
   Fact fact;
   FactSource source = FactSource::kSensor;
   static constexpr std::string_view kName = "FactObserved";
-  static constexpr std::string_view kMeaning = "A fact became known: sensed, given, really executed, or concluded.";
+  static constexpr std::string_view kMeaning =
+      "A fact became known: sensed, given, really executed, or concluded.";
   static constexpr auto Fields() {
-    return std::tuple{Field{"fact_id", "number of the fact", &FactObserved::fact_id},
-                      Field{"fact", "what held, and when", &FactObserved::fact},
-                      Field{"source", "sensor, property, executed command, or absence", &FactObserved::source}};
+    return std::tuple{
+        Field{"fact_id", "number of the fact", &FactObserved::fact_id},
+        Field{"fact", "what held, and when", &FactObserved::fact},
+        Field{"source", "sensor, property, executed command, or absence", &FactObserved::source}};
   }
 };
 
-// ------------------------------------------------------------------------------------------------ knowledge is made
+// ------------------------------------------------------------------------------------------------ knowledge
+// is made
 
 struct CompositeStateCreated {
   CompositeState state;
@@ -137,10 +145,10 @@ struct CompositeStateCreated {
   static constexpr std::string_view kName = "CompositeStateCreated";
   static constexpr std::string_view kMeaning = "A composite state enters the knowledge base.";
   static constexpr auto Fields() {
-    return std::tuple{
-        Field{"state", "its number and definition", &CompositeStateCreated::state},
-        Field{"origin", "how it came about", &CompositeStateCreated::origin},
-        Field{"derived_from", "the composite state generalised by analogy", &CompositeStateCreated::derived_from}};
+    return std::tuple{Field{"state", "its number and definition", &CompositeStateCreated::state},
+                      Field{"origin", "how it came about", &CompositeStateCreated::origin},
+                      Field{"derived_from", "the composite state generalised by analogy",
+                            &CompositeStateCreated::derived_from}};
   }
 };
 
@@ -153,11 +161,12 @@ struct ModelCreated {
   static constexpr std::string_view kName = "ModelCreated";
   static constexpr std::string_view kMeaning = "A model enters the knowledge base.";
   static constexpr auto Fields() {
-    return std::tuple{Field{"model", "its number and definition", &ModelCreated::model},
-                      Field{"evidence", "first evidence; confidence = positive / total", &ModelCreated::evidence},
-                      Field{"strong", "whether it starts confirmed", &ModelCreated::strong},
-                      Field{"origin", "how it came about", &ModelCreated::origin},
-                      Field{"derived_from", "the model generalised by analogy", &ModelCreated::derived_from}};
+    return std::tuple{
+        Field{"model", "its number and definition", &ModelCreated::model},
+        Field{"evidence", "first evidence; confidence = positive / total", &ModelCreated::evidence},
+        Field{"strong", "whether it starts confirmed", &ModelCreated::strong},
+        Field{"origin", "how it came about", &ModelCreated::origin},
+        Field{"derived_from", "the model generalised by analogy", &ModelCreated::derived_from}};
   }
 };
 
@@ -171,7 +180,8 @@ struct InductionStarted {
   FactId premise;
   FactId consequent;
   static constexpr std::string_view kName = "InductionStarted";
-  static constexpr std::string_view kMeaning = "Something happened that nothing predicted; a cause is looked for.";
+  static constexpr std::string_view kMeaning =
+      "Something happened that nothing predicted; a cause is looked for.";
   static constexpr auto Fields() {
     return std::tuple{Field{"induction", "what set it off", &InductionStarted::induction},
                       Field{"premise", "the fact before", &InductionStarted::premise},
@@ -192,7 +202,7 @@ enum class CauseVerdict {
 };
 template <>
 inline constexpr std::array<std::string_view, 9> kEnumNames<CauseVerdict>{
-    "built",         "no_shared_value", "too_late",     "simultaneous", "no_guard_form", "no_composite_state",
+    "built",         "no_shared_value", "too_late", "simultaneous", "no_guard_form", "no_composite_state",
     "free_variable", "black_listed",    "duplicate"};
 
 struct CauseConsidered {
@@ -210,13 +220,15 @@ struct CauseConsidered {
   }
 };
 
-// ----------------------------------------------------------------------------------------------------------- chaining
+// -----------------------------------------------------------------------------------------------------------
+// chaining
 
 struct IcstFound {
   FactId fact_id;
   Fact fact;
   static constexpr std::string_view kName = "IcstFound";
-  static constexpr std::string_view kMeaning = "A composite state holds; its causes are its components in order.";
+  static constexpr std::string_view kMeaning =
+      "A composite state holds; its causes are its components in order.";
   static constexpr auto Fields() {
     return std::tuple{Field{"fact_id", "number of the instance as a fact", &IcstFound::fact_id},
                       Field{"fact", "the instance, its interval and confidence", &IcstFound::fact}};
@@ -228,7 +240,8 @@ struct ImdlPredicted {
   ModelId requirement;
   Fact fact;
   static constexpr std::string_view kName = "ImdlPredicted";
-  static constexpr std::string_view kMeaning = "A requirement model says that a model will be right (or, negative, wrong).";
+  static constexpr std::string_view kMeaning =
+      "A requirement model says that a model will be right (or, negative, wrong).";
   static constexpr auto Fields() {
     return std::tuple{
         Field{"fact_id", "number of the instance as a fact", &ImdlPredicted::fact_id},
@@ -274,7 +287,8 @@ struct PredictionFailed {
   static constexpr std::string_view kMeaning = "Something else than expected was seen, or nothing in time.";
   static constexpr auto Fields() {
     return std::tuple{Field{"prediction", "the prediction", &PredictionFailed::prediction},
-                      Field{"evidence", "the fact that shows it; none if nothing came in time", &PredictionFailed::evidence}};
+                      Field{"evidence", "the fact that shows it; none if nothing came in time",
+                            &PredictionFailed::evidence}};
   }
 };
 
@@ -297,27 +311,42 @@ struct EvidenceUpdated {
   }
 };
 
+enum class StateChangeReason {
+  kRating,           // its success rate
+  kOrphaned,         // a causal model that needs a requirement model has none left
+  kRefersToDeleted,  // it speaks about knowledge that was deleted
+  kTimedOut,         // it was not matched for too long
+};
+template <>
+inline constexpr std::array<std::string_view, 4> kEnumNames<StateChangeReason>{
+    "rating", "orphaned", "refers_to_deleted", "timed_out"};
+
 struct ModelStateChanged {
   ModelId model;
   ModelState before = ModelState::kActive;
   ModelState after = ModelState::kActive;
+  StateChangeReason reason = StateChangeReason::kRating;
   static constexpr std::string_view kName = "ModelStateChanged";
-  static constexpr std::string_view kMeaning = "A model was phased out, phased in, or deleted (and black-listed).";
+  static constexpr std::string_view kMeaning =
+      "A model was phased out, phased in, or deleted (and black-listed).";
   static constexpr auto Fields() {
     return std::tuple{Field{"model", "the model", &ModelStateChanged::model},
                       Field{"before", "state before", &ModelStateChanged::before},
-                      Field{"after", "state after", &ModelStateChanged::after}};
+                      Field{"after", "state after", &ModelStateChanged::after},
+                      Field{"reason", "what moved it", &ModelStateChanged::reason}};
   }
 };
 
-// ---------------------------------------------------------------------------------------------------- goals and plans
+// ---------------------------------------------------------------------------------------------------- goals
+// and plans
 
 struct DriveInjected {
   GoalId goal;
   std::string title;
   Fact target;
   static constexpr std::string_view kName = "DriveInjected";
-  static constexpr std::string_view kMeaning = "The agent is given something to bring about, until a deadline.";
+  static constexpr std::string_view kMeaning =
+      "The agent is given something to bring about, until a deadline.";
   static constexpr auto Fields() {
     return std::tuple{Field{"goal", "number of the goal", &DriveInjected::goal},
                       Field{"title", "what the scenario calls it", &DriveInjected::title},
@@ -331,20 +360,35 @@ struct GoalSet {
   ModelId model;
   Fact target;
   static constexpr std::string_view kName = "GoalSet";
-  static constexpr std::string_view kMeaning = "Backward chaining wants something because something else is wanted.";
+  static constexpr std::string_view kMeaning =
+      "Backward chaining wants something because something else is wanted.";
   static constexpr auto Fields() {
-    return std::tuple{Field{"goal", "number of the goal", &GoalSet::goal},
-                      Field{"super_goal", "the goal it serves", &GoalSet::super_goal},
-                      Field{"model", "the model that leads from it to the super goal; none inside a composite state",
-                            &GoalSet::model},
-                      Field{"target", "what is wanted; may hold variables not bound yet", &GoalSet::target}};
+    return std::tuple{
+        Field{"goal", "number of the goal", &GoalSet::goal},
+        Field{"super_goal", "the goal it serves", &GoalSet::super_goal},
+        Field{"model", "the model that leads from it to the super goal; none inside a composite state",
+              &GoalSet::model},
+        Field{"target", "what is wanted; may hold variables not bound yet", &GoalSet::target}};
   }
 };
 
-enum class GoalSkipReason { kAlreadyHolds, kLoop, kTooDeep, kNoModel, kBudget };
+enum class GoalSkipReason {
+  kAlreadyHolds,   // a fact in force says so
+  kLoop,           // it is wanted already, further up
+  kTooDeep,        // longer chain than the parameter allows
+  kNoModel,        // no model leads to it
+  kBudget,         // the nodes counted for this decision are used up
+  kPredicted,      // it is expected already, at least as surely
+  kProperty,       // it is a property of a thing: given, and not to be changed
+  kTooLate,        // it would have to begin before now
+  kLowConfidence,  // nothing of it would be left after the confidences on the way
+  kUnbound,        // the backward guards cannot be computed
+  kVetoed,         // a strong requirement model stands against every way to it
+};
 template <>
-inline constexpr std::array<std::string_view, 5> kEnumNames<GoalSkipReason>{"already_holds", "loop", "too_deep",
-                                                                            "no_model", "budget"};
+inline constexpr std::array<std::string_view, 11> kEnumNames<GoalSkipReason>{
+    "already_holds", "loop",     "too_deep",       "no_model", "budget", "predicted",
+    "property",      "too_late", "low_confidence", "unbound",  "vetoed"};
 
 struct GoalSkipped {
   GoalId super_goal;
@@ -365,7 +409,8 @@ enum class ComponentStatus {
   kMissed,      // nothing fits and no model could change that
 };
 template <>
-inline constexpr std::array<std::string_view, 3> kEnumNames<ComponentStatus>{"matched", "achievable", "missed"};
+inline constexpr std::array<std::string_view, 3> kEnumNames<ComponentStatus>{"matched", "achievable",
+                                                                             "missed"};
 
 struct ComparedComponent {
   std::int64_t index = 0;
@@ -385,15 +430,15 @@ struct ComparedComponent {
 };
 
 enum class AnalogyVerdict {
-  kAccepted,           // hypothesised (or an equal one known already): result ids are given
-  kNotRequired,        // would do, but a better plan reached the goal
-  kFullMatch,          // nothing unfamiliar, so nothing to generalise
-  kTooFewMatched,      // fewer matched components than the parameter asks for
-  kNotFamiliar,        // psi not above the threshold
-  kNothingObserved,    // nothing is known of an object of the goal
-  kFreeVariable,       // what remains does not bind a variable the requirement passes on
-  kBlackListed,        // the same hypothesis failed before
-  kNoPlan,             // no plan through it reaches the goal
+  kAccepted,         // hypothesised (or an equal one known already): result ids are given
+  kNotRequired,      // would do, but a better plan reached the goal
+  kFullMatch,        // nothing unfamiliar, so nothing to generalise
+  kTooFewMatched,    // fewer matched components than the parameter asks for
+  kNotFamiliar,      // psi not above the threshold
+  kNothingObserved,  // nothing is known of an object of the goal
+  kFreeVariable,     // what remains does not bind a variable the requirement passes on
+  kBlackListed,      // the same hypothesis failed before
+  kNoPlan,           // no plan through it reaches the goal
 };
 template <>
 inline constexpr std::array<std::string_view, 9> kEnumNames<AnalogyVerdict>{
@@ -417,25 +462,31 @@ struct AnalogyCompared {
   CompositeStateId result_state;
   ModelId result_requirement;
   static constexpr std::string_view kName = "AnalogyCompared";
-  static constexpr std::string_view kMeaning = "A known condition was compared with the situation for a goal.";
+  static constexpr std::string_view kMeaning =
+      "A known condition was compared with the situation for a goal.";
   static constexpr auto Fields() {
     return std::tuple{
         Field{"goal", "the goal it would serve", &AnalogyCompared::goal},
         Field{"requirement", "the requirement model compared", &AnalogyCompared::requirement},
         Field{"source", "its composite state", &AnalogyCompared::source},
         Field{"causal_model", "the causal model it allows", &AnalogyCompared::causal_model},
-        Field{"bindings", "the composite state's instance under the goal's bindings", &AnalogyCompared::bindings},
+        Field{"bindings", "the composite state's instance under the goal's bindings",
+              &AnalogyCompared::bindings},
         Field{"components", "component by component", &AnalogyCompared::components},
         Field{"matched", "components matched", &AnalogyCompared::matched},
-        Field{"achievable", "components not matched that a model could bring about", &AnalogyCompared::achievable},
+        Field{"achievable", "components not matched that a model could bring about",
+              &AnalogyCompared::achievable},
         Field{"total", "components in all", &AnalogyCompared::total},
-        Field{"psi", "familiarity: (matched + achievable) / total (paper, equation 2)", &AnalogyCompared::psi},
+        Field{"psi", "familiarity: (matched + achievable) / total (paper, equation 2)",
+              &AnalogyCompared::psi},
         Field{"jaccard", "kept / (total + unmatched counterparts), the other reading of equation 2",
               &AnalogyCompared::jaccard},
-        Field{"confidence", "psi x confidence of the requirement model (paper, equation 4)", &AnalogyCompared::confidence},
+        Field{"confidence", "psi x confidence of the requirement model (paper, equation 4)",
+              &AnalogyCompared::confidence},
         Field{"verdict", "accepted, or why not", &AnalogyCompared::verdict},
         Field{"result_state", "the generalised composite state, if accepted", &AnalogyCompared::result_state},
-        Field{"result_requirement", "the new requirement model, if accepted", &AnalogyCompared::result_requirement}};
+        Field{"result_requirement", "the new requirement model, if accepted",
+              &AnalogyCompared::result_requirement}};
   }
 };
 
@@ -444,10 +495,11 @@ struct PlanStep {
   ModelId causal_model;
   ModelId requirement;
   static constexpr auto Fields() {
-    return std::tuple{Field{"command", "the command", &PlanStep::command},
-                      Field{"causal_model", "the causal model that says what it brings", &PlanStep::causal_model},
-                      Field{"requirement", "the requirement model that allows it; none if it needs none",
-                            &PlanStep::requirement}};
+    return std::tuple{
+        Field{"command", "the command", &PlanStep::command},
+        Field{"causal_model", "the causal model that says what it brings", &PlanStep::causal_model},
+        Field{"requirement", "the requirement model that allows it; none if it needs none",
+              &PlanStep::requirement}};
   }
 };
 
@@ -457,7 +509,8 @@ struct SimulationStarted {
   std::vector<PlanStep> steps;
   double score = 0;
   static constexpr std::string_view kName = "SimulationStarted";
-  static constexpr std::string_view kMeaning = "A plan is tried in the head: forward chaining from the present.";
+  static constexpr std::string_view kMeaning =
+      "A plan is tried in the head: forward chaining from the present.";
   static constexpr auto Fields() {
     return std::tuple{
         Field{"simulation", "number of the simulation", &SimulationStarted::simulation},
@@ -469,7 +522,8 @@ struct SimulationStarted {
 
 enum class SimulationOutcome { kReached, kNotEnabled, kNotReached };
 template <>
-inline constexpr std::array<std::string_view, 3> kEnumNames<SimulationOutcome>{"reached", "not_enabled", "not_reached"};
+inline constexpr std::array<std::string_view, 3> kEnumNames<SimulationOutcome>{"reached", "not_enabled",
+                                                                               "not_reached"};
 
 struct SimulationEnded {
   SimulationId simulation;
@@ -478,7 +532,8 @@ struct SimulationEnded {
   static constexpr std::string_view kMeaning = "The tried plan reached its goal, or did not.";
   static constexpr auto Fields() {
     return std::tuple{Field{"simulation", "the simulation", &SimulationEnded::simulation},
-                      Field{"outcome", "reached; a step was not enabled; or the end was another", &SimulationEnded::outcome}};
+                      Field{"outcome", "reached; a step was not enabled; or the end was another",
+                            &SimulationEnded::outcome}};
   }
 };
 
@@ -488,7 +543,8 @@ struct PlanCommitted {
   std::vector<SimulationId> candidates;
   double score = 0;
   static constexpr std::string_view kName = "PlanCommitted";
-  static constexpr std::string_view kMeaning = "The best tried plan was chosen; its first command will be issued.";
+  static constexpr std::string_view kMeaning =
+      "The best tried plan was chosen; its first command will be issued.";
   static constexpr auto Fields() {
     return std::tuple{Field{"goal", "the goal", &PlanCommitted::goal},
                       Field{"chosen", "the simulation of the chosen plan", &PlanCommitted::chosen},
@@ -521,7 +577,8 @@ struct CommandRefused {
   Term command;
   std::string reason;
   static constexpr std::string_view kName = "CommandRefused";
-  static constexpr std::string_view kMeaning = "The world executed a command not at all, or otherwise than asked.";
+  static constexpr std::string_view kMeaning =
+      "The world executed a command not at all, or otherwise than asked.";
   static constexpr auto Fields() {
     return std::tuple{Field{"command", "the command as requested", &CommandRefused::command},
                       Field{"reason", "the world's own words", &CommandRefused::reason}};
@@ -551,7 +608,8 @@ struct EpisodeEnded {
   std::int64_t drives_reached = 0;
   std::int64_t drives = 0;
   static constexpr std::string_view kName = "EpisodeEnded";
-  static constexpr std::string_view kMeaning = "The episode is over; a file without this event is incomplete.";
+  static constexpr std::string_view kMeaning =
+      "The episode is over; a file without this event is incomplete.";
   static constexpr auto Fields() {
     return std::tuple{Field{"frames", "sampling periods run", &EpisodeEnded::frames},
                       Field{"drives_reached", "drives reached in time", &EpisodeEnded::drives_reached},
@@ -559,13 +617,253 @@ struct EpisodeEnded {
   }
 };
 
+// --------------------------------------------------------------------------------- what was considered and
+// did not win
+
+struct ModelRejected {
+  InductionKind induction = InductionKind::kChange;
+  Model candidate;
+  CauseVerdict reason = CauseVerdict::kDuplicate;
+  ModelId same_as;
+  static constexpr std::string_view kName = "ModelRejected";
+  static constexpr std::string_view kMeaning = "Induction put a model together and did not adopt it.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"induction", "what set it off", &ModelRejected::induction},
+        Field{"candidate", "its definition; its number is used nowhere else", &ModelRejected::candidate},
+        Field{"reason", "why it was not adopted", &ModelRejected::reason},
+        Field{"same_as", "the equal model that is known, or was deleted; else none",
+              &ModelRejected::same_as}};
+  }
+};
+
+// Whether a model may fire on an input, as its requirement models say (semantics 3.3).
+enum class ChainingStatus {
+  kNoRequirement,       // no requirement model speaks about it: it fires
+  kEnabled,             // a weak requirement model allows it: it fires
+  kEnabledAgainstVeto,  // one that is surer than every veto allows it: it fires
+  kWeakDisabled,        // it needs a weak requirement model, and none holds
+  kStrongDisabled,      // only vetoes speak: it predicts silently
+  kVetoed,              // a veto is at least as sure as what allows it: it predicts silently
+  kPhasedOut,           // phased out: it predicts silently
+};
+template <>
+inline constexpr std::array<std::string_view, 7> kEnumNames<ChainingStatus>{
+    "no_requirement", "enabled",   "enabled_against_veto", "weak_disabled", "strong_disabled",
+    "vetoed",         "phased_out"};
+
+struct ConsideredRequirement {
+  ModelId requirement;
+  bool positive = true;
+  double confidence = 0;
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"requirement", "the requirement model", &ConsideredRequirement::requirement},
+        Field{"positive", "allows (true) or vetoes (false)", &ConsideredRequirement::positive},
+        Field{"confidence", "composite state x requirement model", &ConsideredRequirement::confidence}};
+  }
+};
+
+struct ChainingDecided {
+  ModelId model;
+  FactId input;
+  ChainingStatus status = ChainingStatus::kNoRequirement;
+  std::vector<ConsideredRequirement> considered;
+  ModelId winner;
+  static constexpr std::string_view kName = "ChainingDecided";
+  static constexpr std::string_view kMeaning =
+      "A fact fits a model's left side; its requirement models decide whether it fires.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"model", "the model", &ChainingDecided::model},
+        Field{"input", "the fact on its left side", &ChainingDecided::input},
+        Field{"status", "fires, silently, or not; and why", &ChainingDecided::status},
+        Field{"considered", "the requirement models that spoke", &ChainingDecided::considered},
+        Field{"winner", "the requirement model that decided; none if none did", &ChainingDecided::winner}};
+  }
+};
+
+struct ImdlFired {
+  FactId fact_id;
+  PredictionId prediction;
+  Fact fact;
+  static constexpr std::string_view kName = "ImdlFired";
+  static constexpr std::string_view kMeaning =
+      "A model fired: this instance of it is in force, and others may build on it.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"fact_id", "number of the instance as a fact", &ImdlFired::fact_id},
+                      Field{"prediction", "what it predicts", &ImdlFired::prediction},
+                      Field{"fact", "the instance, over the interval of its input", &ImdlFired::fact}};
+  }
+};
+
+struct InstanceProgress {
+  CompositeStateId state;
+  FactId fact_id;
+  std::int64_t component = 0;
+  std::int64_t matched = 0;
+  std::int64_t total = 0;
+  static constexpr std::string_view kName = "InstanceProgress";
+  static constexpr std::string_view kMeaning =
+      "A fact fits a component of a composite state; others may still be missing.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"state", "the composite state", &InstanceProgress::state},
+        Field{"fact_id", "the fact", &InstanceProgress::fact_id},
+        Field{"component", "the component it fits, from 0", &InstanceProgress::component},
+        Field{"matched", "components that some fact fits so far in this frame", &InstanceProgress::matched},
+        Field{"total", "components in all", &InstanceProgress::total}};
+  }
+};
+
+struct PredictionInvalidated {
+  PredictionId prediction;
+  FactId by;
+  static constexpr std::string_view kName = "PredictionInvalidated";
+  static constexpr std::string_view kMeaning =
+      "What a prediction rested on was contradicted; it is neither right nor wrong.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"prediction", "the prediction", &PredictionInvalidated::prediction},
+                      Field{"by", "the fact that contradicts what it rested on", &PredictionInvalidated::by}};
+  }
+};
+
+struct FactPromoted {
+  FactId fact_id;
+  Fact fact;
+  static constexpr std::string_view kName = "FactPromoted";
+  static constexpr std::string_view kMeaning = "In the head: what nothing changed is taken to hold on.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"fact_id", "the fact that held before", &FactPromoted::fact_id},
+                      Field{"fact", "the same, in the next imagined frame", &FactPromoted::fact}};
+  }
+};
+
+struct PromotionDefeated {
+  Fact fact;
+  PredictionId by;
+  static constexpr std::string_view kName = "PromotionDefeated";
+  static constexpr std::string_view kMeaning =
+      "In the head: what held before does not hold on, since something else is predicted.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"fact", "what would have held on", &PromotionDefeated::fact},
+                      Field{"by", "the prediction against it", &PromotionDefeated::by}};
+  }
+};
+
+struct CommandImagined {
+  Term command;
+  TimeInterval interval;
+  static constexpr std::string_view kName = "CommandImagined";
+  static constexpr std::string_view kMeaning = "In the head: a command of the plan is executed.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"command", "the command", &CommandImagined::command},
+                      Field{"interval", "when, in imagined time", &CommandImagined::interval}};
+  }
+};
+
+enum class PlanRejection {
+  kNotEnabled,      // a step of it would not work there
+  kNotReached,      // it ends elsewhere
+  kLowerScore,      // another reaches the goal with more confidence
+  kTie,             // another as good was found before
+  kHarms,           // it would make a more important goal fail
+  kMandatoryHarms,  // what must be done would make a more important goal fail: nothing is done
+};
+template <>
+inline constexpr std::array<std::string_view, 6> kEnumNames<PlanRejection>{
+    "not_enabled", "not_reached", "lower_score", "tie", "harms", "mandatory_harms"};
+
+struct PlanRejected {
+  GoalId goal;
+  SimulationId simulation;
+  PlanRejection reason = PlanRejection::kLowerScore;
+  double score = 0;
+  GoalId harmed;
+  static constexpr std::string_view kName = "PlanRejected";
+  static constexpr std::string_view kMeaning = "A plan that was tried in the head was not chosen.";
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"goal", "the goal it was for", &PlanRejected::goal},
+        Field{"simulation", "the simulation in which it was tried", &PlanRejected::simulation},
+        Field{"reason", "why not", &PlanRejected::reason}, Field{"score", "its score", &PlanRejected::score},
+        Field{"harmed", "the more important goal it would harm; else none", &PlanRejected::harmed}};
+  }
+};
+
+struct GoalSuspended {
+  GoalId goal;
+  PredictionId prediction;
+  static constexpr std::string_view kName = "GoalSuspended";
+  static constexpr std::string_view kMeaning =
+      "What is wanted is predicted already: nothing more is done for it until that fails.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"goal", "the goal", &GoalSuspended::goal},
+                      Field{"prediction", "what promises it", &GoalSuspended::prediction}};
+  }
+};
+
+struct GoalResumed {
+  GoalId goal;
+  PredictionId prediction;
+  static constexpr std::string_view kName = "GoalResumed";
+  static constexpr std::string_view kMeaning = "What promised a goal failed: it is pursued again.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"goal", "the goal", &GoalResumed::goal},
+                      Field{"prediction", "what had promised it", &GoalResumed::prediction}};
+  }
+};
+
+enum class GoalDropReason {
+  kSuperGoalClosed,          // what it served is reached or missed
+  kRequirementContradicted,  // the condition it was to use is known not to work now
+  kReplaced,                 // the same is wanted anew by a later plan
+};
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<GoalDropReason>{
+    "super_goal_closed", "requirement_contradicted", "replaced"};
+
+struct GoalDropped {
+  GoalId goal;
+  GoalDropReason reason = GoalDropReason::kSuperGoalClosed;
+  static constexpr std::string_view kName = "GoalDropped";
+  static constexpr std::string_view kMeaning =
+      "A goal is not pursued any more, without being reached or missed.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"goal", "the goal", &GoalDropped::goal},
+                      Field{"reason", "why not", &GoalDropped::reason}};
+  }
+};
+
+struct FrameCounted {
+  std::int64_t facts = 0;
+  std::int64_t instances = 0;
+  std::int64_t requirements = 0;
+  std::int64_t predictions = 0;
+  std::int64_t models = 0;
+  std::int64_t matches = 0;
+  static constexpr std::string_view kName = "FrameCounted";
+  static constexpr std::string_view kMeaning = "How much the forward chaining of a frame had to do.";
+  static constexpr auto Fields() {
+    return std::tuple{Field{"facts", "facts in force, properties included", &FrameCounted::facts},
+                      Field{"instances", "instances of composite states", &FrameCounted::instances},
+                      Field{"requirements", "statements of requirement models", &FrameCounted::requirements},
+                      Field{"predictions", "predictions still open", &FrameCounted::predictions},
+                      Field{"models", "models that are not deleted", &FrameCounted::models},
+                      Field{"matches", "patterns compared with facts", &FrameCounted::matches}};
+  }
+};
+
 // The order is part of the schema (the kind number in files is the position here, from 0): add at the end.
 using EventBody =
-    std::variant<EpisodeStarted, SymbolDeclared, FrameStarted, WorldStateRecorded, FactObserved, CompositeStateCreated,
-                 ModelCreated, InductionStarted, CauseConsidered, IcstFound, ImdlPredicted, PredictionMade,
-                 PredictionSucceeded, PredictionFailed, EvidenceUpdated, ModelStateChanged, DriveInjected, GoalSet,
-                 GoalSkipped, AnalogyCompared, SimulationStarted, SimulationEnded, PlanCommitted, CommandIssued,
-                 CommandRefused, GoalAchieved, GoalFailed, EpisodeEnded>;
+    std::variant<EpisodeStarted, SymbolDeclared, FrameStarted, WorldStateRecorded, FactObserved,
+                 CompositeStateCreated, ModelCreated, InductionStarted, CauseConsidered, IcstFound,
+                 ImdlPredicted, PredictionMade, PredictionSucceeded, PredictionFailed, EvidenceUpdated,
+                 ModelStateChanged, DriveInjected, GoalSet, GoalSkipped, AnalogyCompared, SimulationStarted,
+                 SimulationEnded, PlanCommitted, CommandIssued, CommandRefused, GoalAchieved, GoalFailed,
+                 EpisodeEnded, ModelRejected, ChainingDecided, ImdlFired, InstanceProgress,
+                 PredictionInvalidated, FactPromoted, PromotionDefeated, CommandImagined, PlanRejected,
+                 GoalSuspended, GoalResumed, GoalDropped, FrameCounted>;
 
 inline constexpr std::size_t kEventKinds = std::variant_size_v<EventBody>;
 
@@ -577,7 +875,8 @@ template <class Visit>
 constexpr void ForEachKind(Visit&& visit) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     (visit.template operator()<EventBodyAt<I>>(), ...);
-  }(std::make_index_sequence<kEventKinds>());
+  }
+  (std::make_index_sequence<kEventKinds>());
 }
 
 }  // namespace aerascope

@@ -26,6 +26,18 @@ std::string_view Words(GoalSkipReason reason) {
       return "no model leads to it";
     case GoalSkipReason::kBudget:
       return "the budget for planning is used up";
+    case GoalSkipReason::kPredicted:
+      return "it is expected already";
+    case GoalSkipReason::kProperty:
+      return "it is a property, which nothing changes";
+    case GoalSkipReason::kTooLate:
+      return "it would have to begin before now";
+    case GoalSkipReason::kLowConfidence:
+      return "hardly any confidence would be left";
+    case GoalSkipReason::kUnbound:
+      return "not everything it needs is known";
+    case GoalSkipReason::kVetoed:
+      return "what was learned from failure stands against it";
   }
   return {};
 }
@@ -74,6 +86,55 @@ std::string_view Words(AnalogyVerdict verdict) {
       return "the same idea failed before";
     case AnalogyVerdict::kNoPlan:
       return "no plan through it reaches the goal";
+  }
+  return {};
+}
+
+std::string_view Words(ChainingStatus status) {
+  switch (status) {
+    case ChainingStatus::kNoRequirement:
+      return "applies: nothing is required";
+    case ChainingStatus::kEnabled:
+      return "applies";
+    case ChainingStatus::kEnabledAgainstVeto:
+      return "applies, against a veto that is less sure";
+    case ChainingStatus::kWeakDisabled:
+      return "does not apply: no condition for it holds";
+    case ChainingStatus::kStrongDisabled:
+    case ChainingStatus::kVetoed:
+      return "is vetoed and predicts silently";
+    case ChainingStatus::kPhasedOut:
+      return "is phased out and predicts silently";
+  }
+  return {};
+}
+
+std::string_view Words(PlanRejection reason) {
+  switch (reason) {
+    case PlanRejection::kNotEnabled:
+      return "a step would not work there";
+    case PlanRejection::kNotReached:
+      return "it does not reach the goal";
+    case PlanRejection::kLowerScore:
+      return "another plan is surer";
+    case PlanRejection::kTie:
+      return "another plan as sure was found first";
+    case PlanRejection::kHarms:
+      return "it would harm a more important goal";
+    case PlanRejection::kMandatoryHarms:
+      return "what must be done would harm a more important goal";
+  }
+  return {};
+}
+
+std::string_view Words(GoalDropReason reason) {
+  switch (reason) {
+    case GoalDropReason::kSuperGoalClosed:
+      return "what it served is settled";
+    case GoalDropReason::kRequirementContradicted:
+      return "its condition is known not to hold now";
+    case GoalDropReason::kReplaced:
+      return "it is wanted anew";
   }
   return {};
 }
@@ -236,9 +297,61 @@ class Teller {
       case ModelState::kPhasedOut:
         return IdText(e.model) + " failed too often and only predicts silently now.";
       case ModelState::kDeleted:
-        return IdText(e.model) + " is given up, and not to be made again.";
+        switch (e.reason) {
+          case StateChangeReason::kRating:
+            return IdText(e.model) + " is given up, and not to be made again.";
+          case StateChangeReason::kOrphaned:
+            return IdText(e.model) + " is given up: no condition for it is left.";
+          case StateChangeReason::kRefersToDeleted:
+            return IdText(e.model) + " is given up with what it speaks about.";
+          case StateChangeReason::kTimedOut:
+            return IdText(e.model) + " is given up: it was of no use for too long.";
+        }
     }
     return {};
+  }
+  std::string Of(const ModelRejected& e) const {
+    std::string text = "Not learned: a model that was put together (" + std::string(Words(e.reason));
+    if (e.same_as.valid()) text += ": " + IdText(e.same_as);
+    return text + ").";
+  }
+  std::string Of(const ChainingDecided& e) const {
+    std::string text = IdText(e.model) + " " + std::string(Words(e.status));
+    if (e.winner.valid()) text += ", by " + IdText(e.winner);
+    return text + ".";
+  }
+  std::string Of(const ImdlFired& e) const { return "In force: " + Text(e.fact) + "."; }
+  std::string Of(const InstanceProgress& e) const {
+    return IdText(e.state) + " is met in " + std::to_string(e.matched) + " of " +
+           Plural(e.total, "condition", "conditions") + ": " + FactOf(e.fact_id) + ".";
+  }
+  std::string Of(const PredictionInvalidated& e) const {
+    return "No longer expected: " + PredictionTarget(e.prediction) + "; seen: " + FactOf(e.by) + ".";
+  }
+  std::string Of(const FactPromoted& e) const { return "Holds on: " + Text(e.fact) + "."; }
+  std::string Of(const PromotionDefeated& e) const {
+    return "Does not hold on: " + Text(e.fact) + ", since " + PredictionTarget(e.by) + ".";
+  }
+  std::string Of(const CommandImagined& e) const { return "Imagined: " + Text(e.command) + "."; }
+  std::string Of(const PlanRejected& e) const {
+    std::string text = "Not chosen: the plan of " + IdText(e.simulation) + ", score " + FormatConfidence(e.score) +
+                       " (" + std::string(Words(e.reason));
+    if (e.harmed.valid()) text += ": " + TargetOf(e.harmed);
+    return text + ").";
+  }
+  std::string Of(const GoalSuspended& e) const {
+    return "Waiting: " + TargetOf(e.goal) + " is expected to come by itself.";
+  }
+  std::string Of(const GoalResumed& e) const {
+    return "Pursued again: " + TargetOf(e.goal) + ", since what promised it failed.";
+  }
+  std::string Of(const GoalDropped& e) const {
+    return "No longer pursued: " + TargetOf(e.goal) + " (" + std::string(Words(e.reason)) + ").";
+  }
+  std::string Of(const FrameCounted& e) const {
+    return Plural(e.facts, "fact", "facts") + ", " + Plural(e.instances, "instance", "instances") + ", " +
+           Plural(e.requirements, "statement of requirements", "statements of requirements") + ", " +
+           Plural(e.predictions, "prediction", "predictions") + " open, " + Plural(e.models, "model", "models") + ".";
   }
   std::string Of(const DriveInjected& e) const {
     return "Drive: " + (e.title.empty() ? Text(e.target) : Printable(e.title)) + ".";

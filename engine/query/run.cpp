@@ -41,6 +41,7 @@ struct Created {
   void operator()(const FactObserved& e) { id = e.fact_id; }
   void operator()(const IcstFound& e) { id = e.fact_id; }
   void operator()(const ImdlPredicted& e) { id = e.fact_id; }
+  void operator()(const ImdlFired& e) { id = e.fact_id; }
   void operator()(const DriveInjected& e) { id = e.goal; }
   void operator()(const GoalSet& e) { id = e.goal; }
   void operator()(const PredictionMade& e) { id = e.prediction; }
@@ -256,6 +257,7 @@ const Fact* Run::FindFact(FactId id) const {
   if (const auto* observed = std::get_if<FactObserved>(&event->body)) return &observed->fact;
   if (const auto* icst = std::get_if<IcstFound>(&event->body)) return &icst->fact;
   if (const auto* imdl = std::get_if<ImdlPredicted>(&event->body)) return &imdl->fact;
+  if (const auto* fired = std::get_if<ImdlFired>(&event->body)) return &fired->fact;
   return nullptr;
 }
 

@@ -143,6 +143,17 @@ std::string MarkOf(const Event& event) {
                  [](const DriveInjected&) { return std::string("goal"); },
                  [](const GoalSet&) { return std::string("goal"); },
                  [](const GoalSkipped&) { return std::string("goal"); },
+                 [](const GoalSuspended&) { return std::string("goal"); },
+                 [](const GoalResumed&) { return std::string("goal"); },
+                 [](const GoalDropped&) { return std::string("goal"); },
+                 [](const PlanRejected&) { return std::string("goal"); },
+                 [](const CommandImagined&) { return std::string("goal"); },
+                 [](const FactPromoted&) { return std::string("goal"); },
+                 [](const PromotionDefeated&) { return std::string("goal"); },
+                 [](const ModelRejected&) { return std::string("learned"); },
+                 [](const ChainingDecided&) { return std::string("prediction"); },
+                 [](const ImdlFired&) { return std::string("prediction"); },
+                 [](const PredictionInvalidated&) { return std::string("prediction"); },
                  [](const GoalAchieved&) { return std::string("goal"); },
                  [](const GoalFailed&) { return std::string("goal"); },
                  [](const PlanCommitted&) { return std::string("goal"); },
@@ -166,6 +177,7 @@ bool TellsOfFailure(const Event& event) {
     return ended->outcome != SimulationOutcome::kReached;
   if (const auto* updated = std::get_if<EvidenceUpdated>(&event.body)) return !updated->success;
   return std::holds_alternative<PredictionFailed>(event.body) ||
+         std::holds_alternative<PlanRejected>(event.body) || std::holds_alternative<ModelRejected>(event.body) ||
          std::holds_alternative<GoalFailed>(event.body) || std::holds_alternative<CommandRefused>(event.body);
 }
 

@@ -57,7 +57,11 @@ void ExpectSame(const std::vector<Event>& expected, const std::vector<Event>& fo
 
 TEST(EpisodeRoundTrip, EveryKindWithVariedValuesInEveryField) {
   const TemporaryFolder folder;
-  const std::vector<Event> events = EventsOfEveryKind(1, 40);
+  std::vector<Event> events = EventsOfEveryKind(1, 40);
+  Event last = events.back();
+  last.id = EventId{last.id.value + 1};
+  last.body = EpisodeEnded{};
+  events.push_back(last);
   const Hash128 digest = Write(folder / "a.episode", SampleHeader(), events);
 
   const Result<EpisodeFile> file = ReadEpisode(folder / "a.episode");
@@ -68,7 +72,7 @@ TEST(EpisodeRoundTrip, EveryKindWithVariedValuesInEveryField) {
   EXPECT_EQ(file->stored_digest, digest);
   EXPECT_EQ(digest, DigestOf(events));
   EXPECT_EQ(digest, DigestOf(file->events));
-  EXPECT_TRUE(file->complete);  // the last kind is EpisodeEnded
+  EXPECT_TRUE(file->complete);
 }
 
 TEST(EpisodeRoundTrip, AnyEventsComeBackAsTheyWere) {
