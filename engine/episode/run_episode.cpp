@@ -70,7 +70,8 @@ class EpisodeLoop {
     }
     outcome_.frames = std::min(frame_, scenario_.max_frames) + 1;
     outcome_.drives = static_cast<std::int64_t>(scenario_.drives.size());
-    journal.Write(FrameInterval().after, EpisodeEnded{outcome_.frames, outcome_.drives_reached, outcome_.drives});
+    journal.Write(FrameInterval().after,
+                  EpisodeEnded{outcome_.frames, outcome_.drives_reached, outcome_.drives});
     outcome_.events = counting_.count();
     return outcome_;
   }
@@ -87,7 +88,8 @@ class EpisodeLoop {
     std::vector<CompositeState> states;
     for (const SeedCompositeState& state : scenario_.seed.composite_states) states.push_back(state.state);
     std::vector<SeedModelDefinition> models;
-    for (const SeedModel& model : scenario_.seed.models) models.push_back({model.model, model.evidence, model.strong});
+    for (const SeedModel& model : scenario_.seed.models)
+      models.push_back({model.model, model.evidence, model.strong});
     reasoner_.LoadSeed(scenario_.seed.symbols, properties, states, models);
   }
 
@@ -97,19 +99,22 @@ class EpisodeLoop {
     if (!sensed) return sensed.error();
     reasoner_.BeginFrame(frame_, *sensed);
     RecordState(world_.State(), FrameInterval().after);
+    CountSettledDrive();
 
     std::vector<Asked> asked;
     auto teacher = TeachersCommands(*sensed);
     if (!teacher) return teacher.error();
     asked = std::move(*teacher);
     doing_.clear();
-    if (asked.empty() && frame_ >= scenario_.first_drive_frame) {
-      if (!KeepDriven()) {
+    // In a teacher's frame the agent watches.
+    if (asked.empty()) {
+      if (KeepDriven() == Driven::kNothingLeft && NothingToWaitFor()) {
         Report();
         return false;
       }
       if (auto wish = reasoner_.Decide()) {
-        asked.push_back({wish->command, reasoner_.CommandIssued(wish->command, Commander::kAgent, wish->drive, wish->event)});
+        asked.push_back({wish->command, reasoner_.CommandIssued(wish->command, Commander::kAgent, wish->drive,
+                                                                wish->event)});
         doing_ = scenario_.drives[next_drive_ - 1].title + ": ";
       }
     } else if (!asked.empty()) {
@@ -143,27 +148,38 @@ class EpisodeLoop {
     return asked;
   }
 
-  // Gives the next drives until one is open. False when there are none left.
-  bool KeepDriven() {
-    if (given_ && !reasoner_.drive_open() && !counted_) {
-      counted_ = true;
-      if (reasoner_.last_drive_reached()) ++outcome_.drives_reached;
-    }
+  enum class Driven { kByADrive, kNotYet, kNothingLeft };
+
+  // The teacher is done, and the episode has lasted as long as it should.
+  bool NothingToWaitFor() const {
+    const bool taught = scenario_.teacher.empty() || scenario_.teacher.back().frame < frame_;
+    return taught && frame_ + 1 >= scenario_.min_frames && frame_ > 0;
+  }
+
+  void CountSettledDrive() {
+    if (counted_ || reasoner_.drive_open()) return;
+    counted_ = true;
+    if (reasoner_.last_drive_reached()) ++outcome_.drives_reached;
+  }
+
+  // Gives the next drives until one is open.
+  Driven KeepDriven() {
     while (!reasoner_.drive_open()) {
-      if (next_drive_ >= scenario_.drives.size()) return false;
+      if (next_drive_ >= scenario_.drives.size()) return Driven::kNothingLeft;
+      if (frame_ < scenario_.drives[next_drive_].frame) return Driven::kNotYet;
       const Drive& drive = scenario_.drives[next_drive_++];
       const Time deadline{(frame_ + drive.frames) * scenario_.sampling_period.us};
-      given_ = true;
       counted_ = reasoner_.SetDrive(drive.title, drive.goal, deadline);
       if (counted_) ++outcome_.drives_reached;
     }
-    return true;
+    return Driven::kByADrive;
   }
 
   Status Act(const std::vector<Asked>& asked) {
     std::vector<Term> commands;
     for (const Asked& one : asked) commands.push_back(one.command);
-    const TimeInterval during{FrameInterval().after + scenario_.reasoner.commit_offset, FrameInterval().before};
+    const TimeInterval during{FrameInterval().after + scenario_.reasoner.commit_offset,
+                              FrameInterval().before};
     auto done = world_.Act(commands, during);
     if (!done) return done.error();
     std::vector<bool> answered(asked.size());
@@ -183,7 +199,8 @@ class EpisodeLoop {
   }
 
   // The command that was asked for with this function and has no answer yet.
-  static EventId IssuedFor(const Term& executed, const std::vector<Asked>& asked, std::vector<bool>* answered) {
+  static EventId IssuedFor(const Term& executed, const std::vector<Asked>& asked,
+                           std::vector<bool>* answered) {
     for (std::size_t i = 0; i < asked.size(); ++i) {
       if ((*answered)[i] || !IsCommand(executed) || !(asked[i].command[0] == executed[0])) continue;
       (*answered)[i] = true;
@@ -208,8 +225,7 @@ class EpisodeLoop {
   EpisodeOutcome outcome_;
   std::int64_t frame_ = 0;
   std::size_t next_drive_ = 0;
-  bool given_ = false;
-  bool counted_ = false;
+  bool counted_ = true;  // whether the last drive's outcome is; there is none at first
   std::string doing_;
   std::optional<Time> last_recorded_;
 };
@@ -224,11 +240,13 @@ EpisodeHeader HeaderFor(const Scenario& scenario, const World& world, const std:
   header.settings["world.cameras"] = Join(description.cameras, " ");
   header.settings["random_seed"] = std::to_string(scenario.random_seed);
   if (const auto* mujoco = std::get_if<MujocoWorldConfig>(&scenario.world)) {
-    for (const ObjectConfig& object : mujoco->objects) header.settings["world.body." + object.entity] = object.body;
+    for (const ObjectConfig& object : mujoco->objects)
+      header.settings["world.body." + object.entity] = object.body;
   }
   for (const auto& [name, text] : scenario.files) header.files.push_back({name, text});
   if (!description.model_text.empty()) header.files.push_back({"world/scene.xml", description.model_text});
-  for (const WorldAsset& asset : description.assets) header.files.push_back({"world/" + asset.name, asset.bytes});
+  for (const WorldAsset& asset : description.assets)
+    header.files.push_back({"world/" + asset.name, asset.bytes});
   return header;
 }
 
@@ -244,7 +262,8 @@ class DigestSink : public EventSink {
 }  // namespace
 
 Result<std::unique_ptr<World>> MakeWorld(const Scenario& scenario) {
-  if (const auto* scripted = std::get_if<ScriptedWorldConfig>(&scenario.world)) return MakeScriptedWorld(*scripted);
+  if (const auto* scripted = std::get_if<ScriptedWorldConfig>(&scenario.world))
+    return MakeScriptedWorld(*scripted);
   return MakeMujocoWorld(std::get<MujocoWorldConfig>(scenario.world));
 }
 
@@ -271,7 +290,8 @@ Result<Hash128> ReplayDigest(const EpisodeFile& episode) {
   for (const NamedFile& file : episode.header.files) files[file.name] = file.bytes;
   auto scenario = LoadScenarioFromFiles(files);
   if (!scenario) return scenario.error();
-  const auto* started = episode.events.empty() ? nullptr : std::get_if<EpisodeStarted>(&episode.events.front().body);
+  const auto* started =
+      episode.events.empty() ? nullptr : std::get_if<EpisodeStarted>(&episode.events.front().body);
   if (!started) return Error{"the episode does not begin with EpisodeStarted; it cannot be replayed"};
   const Scenario seeded = WithRandomSeed(std::move(*scenario), static_cast<std::uint64_t>(started->seed));
   RecordedWorld world(episode, seeded.seed.facts.size());

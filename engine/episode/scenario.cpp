@@ -11,6 +11,7 @@
 #include "engine/base/text.h"
 #include "engine/episode/config.h"
 #include "engine/episode/scenario_world.h"
+#include "engine/episode/world_keys.h"
 #include "engine/event/event.h"
 #include "engine/kb/match.h"
 #include "engine/replicode/reader.h"
@@ -63,8 +64,8 @@ class ScenarioReader {
     const Result<ConfigValue> config = ParseConfig(text, errors_.file());
     if (!config) return config.error();
     ConfigTable root(*config, "the scenario", &errors_);
-    root.Know({"title", "story", "sampling_period_ms", "random_seed", "max_frames", "seed", "world",
-               "reasoner", "recording", "events", "teacher", "drives"});
+    root.Know({"title", "story", "sampling_period_ms", "random_seed", "min_frames", "max_frames", "seed",
+               "world", "reasoner", "recording", "events", "teacher", "drives"});
     root.Finish();
     ReadHead(root);
     if (Status status = ReadSeed(root, open_seed); !status) return status.error();
@@ -123,7 +124,13 @@ class ScenarioReader {
     if (!world) return;
     const std::optional<std::size_t> kind = world->Choice("kind", {"scripted", "mujoco"}, 0);
     if (kind == 0u) {
-      scenario_.world = ReadScriptedWorld(*world, scenario_.seed, &errors_);
+      ScriptedWorldConfig scripted = ReadScriptedWorld(*world, scenario_.seed, &errors_);
+      if (!scripted.held_values.empty() && scenario_.sampling_period <= kTimeTolerance * 2) {
+        root.Fail(root.value(), "expected a sampling_period_ms above the " +
+                                    std::to_string(kTimeTolerance.us * 2 / 1000) +
+                                    " ms after which held values such as speeds begin");
+      }
+      scenario_.world = std::move(scripted);
     } else if (kind == 1u) {
       scenario_.world = ReadMujocoWorld(*world, scenario_.seed, source_, &errors_);
       std::get<MujocoWorldConfig>(scenario_.world).noise.seed = scenario_.random_seed;
@@ -282,6 +289,7 @@ class ScenarioReader {
     Drive drive;
     drive.title = table.RequiredString("title");
     drive.frames = table.Integer("frames", drive.frames, 1, kMaxFrames);
+    drive.frame = ReadDriveFrame(table);
     const std::string goal = table.String("goal", "");
     drive.model_label = table.String("model", "");
     if (goal.empty() == drive.model_label.empty()) {
@@ -300,6 +308,19 @@ class ScenarioReader {
     }
     table.Finish();
     scenario_.drives.push_back(std::move(drive));
+  }
+
+  // A drive that names no frame waits for the teacher's last command if it is the first one.
+  std::int64_t ReadDriveFrame(ConfigTable& table) {
+    const bool first = scenario_.drives.empty();
+    const std::int64_t earliest = first ? 0 : scenario_.drives.back().frame;
+    const std::int64_t taught = scenario_.teacher.empty() ? 1 : scenario_.teacher.back().frame + 1;
+    const std::int64_t frame = table.Integer("frame", first ? taught : earliest, 0, kMaxFrames);
+    if (frame < earliest) {
+      table.Fail(*table.Get("frame"), "expected the drives by rising frame, found frame " +
+                                          std::to_string(frame) + " after " + std::to_string(earliest));
+    }
+    return frame;
   }
 
   Term GoalOfModel(const ConfigValue& where, const std::string& label) {
@@ -324,10 +345,15 @@ class ScenarioReader {
   }
 
   void ReadFrames(ConfigTable& root) {
-    scenario_.first_drive_frame = scenario_.teacher.empty() ? 1 : scenario_.teacher.back().frame + 1;
-    std::int64_t frames = scenario_.first_drive_frame + 1;
-    for (const Drive& drive : scenario_.drives) frames += drive.frames;
+    scenario_.min_frames = root.Integer("min_frames", 0, 0, kMaxFrames);
+    std::int64_t frames = 0;
+    for (const Drive& drive : scenario_.drives) frames = std::max(frames, drive.frame) + drive.frames;
+    if (!scenario_.teacher.empty()) frames = std::max(frames, scenario_.teacher.back().frame + 1);
+    frames = std::max(frames + 1, scenario_.min_frames);
     scenario_.max_frames = root.Integer("max_frames", std::min(frames, kMaxFrames), 1, kMaxFrames);
+    if (scenario_.max_frames < scenario_.min_frames) {
+      root.Fail(*root.Get("max_frames"), "expected a max_frames of at least min_frames, found fewer");
+    }
   }
 
   // They are reported by the world now.

@@ -30,13 +30,15 @@ struct TeacherCommand {
       to;  // the entity to move to; its way from the hand becomes the last argument. Empty if complete.
 };
 
-// Something to be achieved. Drives follow each other: each lasts until it is achieved or its frames are over.
+// Something to be achieved. Drives follow each other: each is given when the one before is settled, but not
+// before its frame, and lasts until it is achieved or its frames are over.
 struct Drive {
   std::string title;  // for people: "hold s1"
   Term goal;          // the payload wanted, ground
   std::string
       model_label;  // of the seed's drive model that says so; empty where the scenario gives the goal itself
   std::int64_t frames = 8;
+  std::int64_t frame = 0;
 };
 
 struct Scenario {
@@ -51,8 +53,8 @@ struct Scenario {
   std::uint64_t random_seed = 0;                 // of the world's noise; also in its configuration
   std::vector<TeacherCommand> teacher;           // by rising frame
   std::vector<Drive> drives;
-  std::int64_t first_drive_frame = 1;          // the frame after the teacher's last command
-  std::int64_t max_frames = 0;                 // the episode ends here at the latest
+  std::int64_t min_frames = 0;                 // the episode goes on at least this long, drives or not
+  std::int64_t max_frames = 0;                 // and ends here at the latest
   EventKindSet left_out = LeftOutByDefault();  // kinds of events that are not recorded
 
   // The texts this was read from: "scenario.toml" and "seed.replicode".

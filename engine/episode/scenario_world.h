@@ -12,13 +12,6 @@
 
 namespace aerascope {
 
-// Reports a name that the seed does not declare as an entity (or as an ontology symbol), with the closest
-// that it does.
-void CheckEntity(const SeedKnowledge& seed, const ConfigValue& where, const std::string& name,
-                 ConfigErrors* errors);
-void CheckOntology(const SeedKnowledge& seed, const ConfigValue& where, const std::string& name,
-                   ConfigErrors* errors);
-
 // A fact that is a property: (mk.val entity attribute value) of symbols, sure and for ever.
 bool IsLastingProperty(const Fact& fact);
 

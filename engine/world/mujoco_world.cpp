@@ -322,6 +322,8 @@ std::optional<Term> MujocoWorld::Carry(const Term& command, double duration_s) {
       return CarryGrab(command, *motion, duration_s);
     case CommandKind::kRelease:
       return CarryRelease(command, *motion, duration_s);
+    case CommandKind::kChange:
+      return Refuse(command, "there is no such kind of command among real things");
   }
   return std::nullopt;
 }

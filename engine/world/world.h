@@ -19,7 +19,7 @@
 namespace aerascope {
 
 // Enough to draw one moment again. In the scripted world, qpos holds the positions (the hand first) and ctrl
-// says for each object whether it is held.
+// says for each object whether it is held; what has no position is at 0.
 struct WorldState {
   Time time;
   std::vector<double> qpos;
@@ -45,6 +45,16 @@ struct WorldDescription {
   std::vector<WorldAsset> assets;
   std::vector<std::string> cameras;  // the first one is the default view
 };
+
+// How a sensor's word is dated (semantics 7.2). A periodic value holds throughout the frame it was sensed in. A held one
+// begins a little later, so that it is not simultaneous with the periodic values and may be taken for the cause of what
+// changes next; speeds are sensed so.
+enum class SyncMode { kPeriodic, kHold };
+
+// Empty only in a frame too short for a held value.
+constexpr TimeInterval SensedDuring(TimeInterval frame, SyncMode sync) {
+  return sync == SyncMode::kPeriodic ? frame : TimeInterval{frame.after + kTimeTolerance * 2, frame.before};
+}
 
 struct ActOutcome {
   std::vector<Term> executed;      // commands with the arguments that were really carried out

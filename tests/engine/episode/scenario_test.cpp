@@ -84,7 +84,7 @@ TEST(Scenario, TheScriptedPickAndPlaceIsComplete) {
   EXPECT_EQ(WorldKind(*scenario), "scripted");
   EXPECT_EQ(scenario->sampling_period, Milliseconds(100));
   EXPECT_EQ(scenario->reasoner, ReasonerParameters());
-  EXPECT_EQ(scenario->first_drive_frame, 7);
+  EXPECT_EQ(scenario->drives.front().frame, 7);
 
   std::vector<std::string> lessons;
   for (const TeacherCommand& command : scenario->teacher) {
@@ -198,7 +198,7 @@ frames = 2
   EXPECT_EQ(ToText(scenario.teacher[0].command), "(cmd move [h 4])");
   EXPECT_EQ(ToText(scenario.drives[0].goal), "(mk.val h holding [])");
   EXPECT_EQ(scenario.drives[0].model_label, "");
-  EXPECT_EQ(scenario.first_drive_frame, 4);
+  EXPECT_EQ(scenario.drives.front().frame, 4);
   EXPECT_EQ(scenario.max_frames, 7);
 }
 
@@ -247,10 +247,11 @@ TEST(ScenarioErrors, Values) {
             "scenario.toml:9:1: expected goal_offset_ms <= commit_offset_ms, and commit_offset_ms and "
             "command_offset_ms below the "
             "sampling period of 100 ms");
-  EXPECT_EQ(ErrorOf("recording = 5\n"),
-            "scenario.toml:9:1: expected a known key in [world], found 'recording'; known are "
-            "commands, hand, highest_position, holding_attribute, kind, lowest_position, objects, "
-            "position_attribute");
+  EXPECT_EQ(
+      ErrorOf("recording = 5\n"),
+      "scenario.toml:9:1: expected a known key in [world], found 'recording'; known are "
+      "commands, hand, held_values, highest_position, holding_attribute, kind, lowest_position, objects, "
+      "position_attribute, speed_attribute");
 }
 
 TEST(ScenarioErrors, TheTeacher) {
@@ -320,6 +321,87 @@ TEST(ScenarioErrors, TheWorld) {
   EXPECT_EQ(world("[world]\nkind = \"scripted\"\nhand = { entity = \"h\" }\nobjects = [{ entity = \"h\", "
                   "position = 1 }]\n"),
             "scenario.toml:4:1: expected each entity once in the world, found 'h' twice");
+}
+
+TEST(ScenarioErrors, TheScriptedWorldsDeclarations) {
+  const auto object = [](const std::string& keys) {
+    return Load(std::string(kHead) +
+                "[world]\nkind = \"scripted\"\nhand = { entity = \"h\" }\nobjects = [{ entity = \"s1\"" +
+                keys + " }]\n")
+        .error()
+        .message;
+  };
+  EXPECT_EQ(
+      object(""),
+      "scenario.toml:7:12: expected 'position' or 'state' of s1, where it is at the start, found neither");
+  EXPECT_EQ(
+      object(", speed_changes = []"),
+      "scenario.toml:7:12: expected 'position' or 'state' of s1, where it is at the start, found neither");
+  EXPECT_EQ(
+      object(", state = { holding = \"large\" }"),
+      "scenario.toml:7:37: expected a state of attributes that nothing else says, found 'holding' of s1");
+  EXPECT_EQ(object(", position = 1, speed_changes = [{ frame = 1, speed = 2 }]"),
+            "scenario.toml:7:60: expected 'speed' at the start of what changes its speed, found none");
+  EXPECT_EQ(
+      object(
+          ", position = 1, speed = 1, speed_changes = [{ frame = 2, speed = 2 }, { frame = 1, speed = 2 }]"),
+      "scenario.toml:7:51: expected an ontology symbol of the seed, found 'speed', which the seed does not "
+      "declare");
+
+  const auto command = [](const std::string& keys) {
+    return Load(std::string(kHead) +
+                "[world]\nkind = \"scripted\"\nhand = { entity = \"h\" }\nobjects = [{ entity = \"s1\", "
+                "state = { size = "
+                "\"large\" } }]\ncommands = [{ name = \"grab\", " +
+                keys + " }]\n")
+        .error()
+        .message;
+  };
+  EXPECT_EQ(command("kind = \"grap\""),
+            "scenario.toml:8:37: expected one of \"move\", \"grab\", \"release\", \"change\" for 'kind', "
+            "found the text "
+            "\"grap\"; did you mean \"grab\"?");
+  EXPECT_EQ(command("kind = \"move\""),
+            "scenario.toml:8:13: expected a position of the hand, as 'grab' moves it, found none");
+  EXPECT_EQ(command("kind = \"grab\", largest = 3"),
+            "scenario.toml:8:55: expected 'largest' only of a move, found it of another kind of command");
+  EXPECT_EQ(command("kind = \"change\", object = \"s2\""),
+            "scenario.toml:8:56: expected an object of the world, found 's2'; did you mean 's1'?");
+  EXPECT_EQ(command("kind = \"change\", sets = { position = \"small\" }"),
+            "scenario.toml:8:54: expected attributes that are the 'state' of some object, found 'position'");
+  EXPECT_EQ(command("kind = \"grab\", fails = [{ times = 0 }]"),
+            "scenario.toml:8:64: expected a whole number from 1 to 1000000 for 'times', found 0");
+}
+
+TEST(ScenarioErrors, FramesOfDrives) {
+  EXPECT_THAT(ErrorOf("[[drives]]\ntitle = \"a\"\nmodel = \"hold_c1\"\nframe = 5\n"
+                      "[[drives]]\ntitle = \"b\"\nmodel = \"hold_c1\"\nframe = 4\n"),
+              HasSubstr("expected the drives by rising frame, found frame 4 after 5"));
+  EXPECT_THAT(
+      Load("min_frames = 9\nmax_frames = 8\n" + std::string(kHead) + std::string(kWorld)).error().message,
+      HasSubstr("scenario.toml:2:14: expected a max_frames of at least min_frames, found fewer"));
+}
+
+TEST(Scenario, DrivesMayComeBetweenTheTeachersLessons) {
+  const Scenario scenario = Good(
+      "[[teacher]]\nframe = 2\ncommand = \"grab\"\n[[teacher]]\nframe = 9\ncommand = \"release\"\n"
+      "[[drives]]\ntitle = \"a\"\nmodel = \"hold_c1\"\nframe = 3\nframes = 4\n"
+      "[[drives]]\ntitle = \"b\"\nmodel = \"hold_c1\"\nframe = 10\nframes = 5\n"
+      "[[drives]]\ntitle = \"c\"\nmodel = \"hold_c1\"\nframes = 5\n");
+  std::vector<std::int64_t> frames;
+  for (const Drive& drive : scenario.drives) frames.push_back(drive.frame);
+  EXPECT_THAT(frames, ElementsAre(3, 10, 10));
+  EXPECT_EQ(scenario.max_frames, 10 + 5 + 5 + 1);
+}
+
+TEST(Scenario, EveryShippedScenarioIsGood) {
+  for (const auto& entry : std::filesystem::directory_iterator(kScenarios)) {
+    if (entry.path().extension() != ".toml") continue;
+    const Result<Scenario> scenario = LoadScenario(entry.path().string());
+    ASSERT_TRUE(scenario.ok()) << scenario.error().message;
+    EXPECT_FALSE(scenario->story.empty()) << entry.path();
+    EXPECT_THAT(scenario->files.at("scenario.toml"), StartsWith("# ")) << "the story stands at its head";
+  }
 }
 
 // toml++ once ended the process here, in builds with assertions.
