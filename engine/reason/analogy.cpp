@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "engine/base/text.h"
+
 namespace aerascope {
 namespace {
 
@@ -229,7 +231,7 @@ Comparison Compare(const KnowledgeBase& knowledge, const ModelRecord& requiremen
   best->rejection = Judge(*best, state, requirement.model, goal, parameters);
   best->confidence = parameters.analogy_mode == AnalogyMode::kOpenaera
                          ? kOpenaeraConfidence
-                         : best->psi * requirement.evidence.rate();
+                         : RoundNumber(best->psi * requirement.evidence.rate());
   return std::move(*best);
 }
 

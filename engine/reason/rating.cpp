@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/base/text.h"
+
 namespace aerascope {
 
 Rating Rate(const Rating& before, bool success, const ReasonerParameters& parameters) {
@@ -9,7 +11,8 @@ Rating Rate(const Rating& before, bool success, const ReasonerParameters& parame
   if (before.state == ModelState::kDeleted) return after;
   if (before.state == ModelState::kPhasedOut && !success) return after;
   after.evidence.total += 1;
-  if (success) after.evidence.positive += 1;
+  // Rounded like every number of the language, so that knowledge written as text loses nothing.
+  if (success) after.evidence.positive = RoundNumber(after.evidence.positive + 1);
   const double rate = after.evidence.rate();
   if (before.state == ModelState::kPhasedOut) {
     if (rate > parameters.primary_act_thr) after.state = ModelState::kActive;

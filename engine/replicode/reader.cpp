@@ -12,9 +12,6 @@
 namespace aerascope {
 namespace {
 
-// A time as late as this, OpenAERA's GIGASEC, means "for ever".
-constexpr std::int64_t kGigaSecondUs = 1'000'000'000'000'000;
-
 // The variables of one composite state or model, numbered by first appearance.
 class Scope {
  public:
@@ -627,12 +624,10 @@ class SeedReader {
     for (const SyntaxNode& item : (*list)->items) {
       Result<Term> argument = Value(item, scope);
       if (!argument) return argument.error();
-      // A value that is always the same, such as [], stands there as it is.
-      bool allowed = argument->is(TermKind::kVariable) || argument->ground();
-      if (argument->IsStruct("ti"))
-        allowed = (*argument)[0].is(TermKind::kVariable) && (*argument)[1].is(TermKind::kVariable);
-      if (!allowed || !item.label.empty()) {
-        return At(item, "expected a variable, (ti T0: T1:) or a constant as a template argument, found " +
+      // Mostly a variable or (ti T0: T1:); a value that is always the same, such as [], stands there as it
+      // is.
+      if (argument->is(TermKind::kWildcard) || !item.label.empty()) {
+        return At(item, "expected a variable, (ti T0: T1:) or another value as a template argument, found " +
                             Described(item));
       }
       arguments.push_back(std::move(*argument));
@@ -785,7 +780,7 @@ class SeedReader {
         return At(object.items[7], "expected a success rate from 0 to 1, found " + FormatNumber(rate));
       }
     }
-    model->evidence.positive = RoundNumber(rate * model->evidence.total);
+    model->evidence = EvidenceOf(rate, model->evidence.total);
     return Ok();
   }
 

@@ -61,9 +61,9 @@ const SeedModel* FindModel(const SeedKnowledge& seed, std::string_view label);
 // there, or to itself.
 Result<SeedKnowledge> Normalised(const SeedKnowledge& seed);
 
-// Everything in a knowledge base that can be written as a seed: symbols, facts that hold for ever, composite states,
-// and models that are not deleted and do not speak about deleted ones. Labels are cst_12, mdl_14, with the
-// episode's numbers.
+// Everything in a knowledge base that can be written as a seed: symbols, facts that hold for ever, composite
+// states, and models that are not deleted and do not speak about deleted ones. Labels are cst_12, mdl_14,
+// with the episode's numbers.
 SeedKnowledge SeedFrom(const KnowledgeBase& knowledge);
 
 }  // namespace aerascope

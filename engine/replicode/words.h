@@ -2,8 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string_view>
 #include <utility>
+
+#include "engine/base/text.h"
+#include "engine/kb/model.h"
 
 namespace aerascope {
 
@@ -21,7 +25,16 @@ inline constexpr std::array<std::string_view, 8> kConstantWords{
 inline constexpr std::array<std::pair<std::string_view, std::size_t>, 3> kValueStructs{
     {{"vec2", 2}, {"vec3", 3}, {"ti", 2}}};
 
+// A time as late as this, OpenAERA's GIGASEC, means "for ever".
+inline constexpr std::int64_t kGigaSecondUs = 1'000'000'000'000'000;
+
 // More components in one composite state than this have no use, and make its canonical form slow.
 inline constexpr std::size_t kMaxComponents = 64;
+
+// Replicode says how often a model was tried and its success rate; how often it was right follows. Evidence
+// has at most 9 significant digits, so a rate with a few more gives it exactly.
+inline Evidence EvidenceOf(double rate, double total) {
+  return {RoundNumber(rate * total), total};
+}
 
 }  // namespace aerascope

@@ -1,12 +1,14 @@
 #include "engine/replicode/writer.h"
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "engine/base/text.h"
+#include "engine/replicode/sayable.h"
 #include "engine/replicode/words.h"
 
 namespace aerascope {
@@ -52,6 +54,20 @@ std::string QuotedText(std::string_view text) {
     }
   }
   return quoted + "\"";
+}
+
+// The success rate with as few digits as give the evidence again.
+std::string RateText(const Evidence& evidence) {
+  const double rate = evidence.rate();
+  for (int digits = 9; digits < 17; ++digits) {
+    const std::string text = FormatNumber(rate, digits);
+    double read = 0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    if (EvidenceOf(read, evidence.total) == evidence) return text;
+  }
+  std::string text;
+  AppendExactNumber(rate, &text);
+  return text;
 }
 
 // Writes terms; the first thing that has no form in Replicode is kept as the error.
@@ -138,7 +154,8 @@ class Writer {
   }
 
   std::string Number(double number) {
-    const std::string text = FormatNumber(number);
+    std::string text;
+    AppendExactNumber(number, &text);
     return text.find_first_of("ni") == std::string::npos ? text : Fail("the number " + text);
   }
 
@@ -198,13 +215,13 @@ class Writer {
 class SeedWriter {
  public:
   explicit SeedWriter(const SeedKnowledge& seed) : seed_(seed) {
-    for (const Term& symbol : seed.symbols) taken_.insert(symbol.name());
+    CollectSymbols();
     for (const std::string_view word : kConstantWords) taken_.emplace(word);
   }
 
   Result<std::string> Run() {
     std::string text;
-    for (const Term& symbol : seed_.symbols) {
+    for (const Term& symbol : symbols_) {
       text +=
           writer_.Name(symbol.name()) + (symbol.is(TermKind::kEntity) ? ":(ent 1) |[]\n" : ":(ont 1) |[]\n");
     }
@@ -229,6 +246,20 @@ class SeedWriter {
   }
 
  private:
+  // What is declared, and then, in order of appearance, what is used without having been declared: names
+  // stand in the text before their use.
+  void CollectSymbols() {
+    const auto add = [&](const Term& part) {
+      const bool symbol = part.is(TermKind::kEntity) || part.is(TermKind::kOntology);
+      if (symbol && taken_.insert(part.name()).second) symbols_.push_back(part);
+    };
+    for (const Term& symbol : seed_.symbols) add(symbol);
+    const auto add_all = [&](const Term& term) { ForEachTerm(term, add); };
+    for (const SeedCompositeState& item : seed_.composite_states) add_all(DefinitionToTerm(item.state));
+    for (const SeedModel& item : seed_.models) add_all(DefinitionToTerm(item.model));
+    for (const SeedFact& item : seed_.facts) add_all(item.fact.payload);
+  }
+
   // The wanted name if it can be used, else the other one, made unlike all names so far.
   std::string FreeLabel(const std::string& wanted, std::string other) {
     std::string label = IsPlainName(wanted) && !taken_.contains(wanted) ? wanted : std::move(other);
@@ -264,9 +295,10 @@ class SeedWriter {
     std::string text = writer_.labels[model.id.value] + ":(mdl " +
                        writer_.Value(Term::Set(model.template_arguments), Writer::Place::kPattern) +
                        " []\n   " + writer_.Pattern(model.lhs) + "\n   " + writer_.Pattern(model.rhs) + "\n";
-    text += writer_.Guards(model.forward) + writer_.Guards(model.backward);
+    text += writer_.Guards(model.forward);  // one by one: a variable has its colon where it is met first
+    text += writer_.Guards(model.backward);
     return text + "[stdin] " + (item.strong ? "1 " : "0 ") + writer_.Number(item.evidence.total) + " " +
-           writer_.Number(item.evidence.rate()) + " 1 1) |[]\n";
+           RateText(item.evidence) + " 1 1) |[]\n";
   }
 
   std::string FactText(const SeedFact& item) {
@@ -279,6 +311,7 @@ class SeedWriter {
   }
 
   const SeedKnowledge& seed_;
+  std::vector<Term> symbols_;
   Writer writer_;
   std::set<std::string> taken_;
 };
@@ -288,6 +321,7 @@ class SeedWriter {
 Result<std::string> WriteReplicode(const SeedKnowledge& seed) {
   const Result<SeedKnowledge> normalised = Normalised(seed);
   if (!normalised) return normalised.error();
+  if (Status sayable = CheckSayable(*normalised); !sayable) return sayable.error();
   return SeedWriter(*normalised).Run();
 }
 

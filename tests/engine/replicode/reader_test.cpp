@@ -354,8 +354,8 @@ TEST(ReaderErrors, CompositeStatesAndModels) {
   EXPECT_EQ(ErrorOf("S:(cst [] |[])"), "t:1:11: expected 1 to 64 conditions in a composite state, found 0");
   EXPECT_EQ(ErrorOf("m:(mdl [] []\n   (fact (mk.val H: essence hand :) T0: T1: : :)\n|[])"),
             "t:1:11: expected two facts, the left and the right side of the model, found 1");
-  EXPECT_EQ(ErrorOf("m:(mdl [[H:]] []\n   (fact (mk.val H: essence hand :) T0: T1: : :)\n|[])"),
-            "t:1:9: expected a variable, (ti T0: T1:) or a constant as a template argument, found a list");
+  EXPECT_EQ(ErrorOf("m:(mdl [:] []\n   (fact (mk.val H: essence hand :) T0: T1: : :)\n|[])"),
+            "t:1:9: expected a variable, (ti T0: T1:) or another value as a template argument, found ':'");
   EXPECT_EQ(ErrorOf(std::string(kHandAt) + "(fact (icst S0 [] [h] : :) 0s:0ms:0us GIGASEC 1 1)"),
             "t:8:19: expected 2 arguments for S0 (H P), found 1");
   EXPECT_EQ(ErrorOf(std::string(kMove) + "(fact (imdl m_move [] [h] : :) 0s:0ms:0us GIGASEC 1 1)"),
