@@ -48,8 +48,9 @@ std::vector<std::string> ReportKindNames() {
   return NameList(Reports());
 }
 
+// One a fact and pattern.
 EventKindSet LeftOutByDefault() {
-  return {};
+  return EventKindSet().set(KindOf<InstanceProgress>());
 }
 
 std::string NamesOf(const EventKindSet& kinds) {

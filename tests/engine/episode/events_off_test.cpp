@@ -2,9 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <string>
 
 #include "engine/episode/run_episode.h"
 #include "engine/episode/scenario.h"
@@ -18,10 +16,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string TextOf(const std::string& name) {
-  std::ifstream file(std::string(AERASCOPE_SOURCE_DIR) + "/assets/scenarios/" + name);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
+  return FileBytes(std::string(AERASCOPE_SOURCE_DIR) + "/assets/scenarios/" + name);
 }
 
 // The scripted pick-and-place with `tail` at its end.
@@ -58,7 +53,12 @@ TEST(EventsOff, TheScenarioNamesTheKinds) {
   const auto nothing = ScriptedTask("\n[events]\noff = []\n");
   ASSERT_TRUE(nothing.ok()) << nothing.error().message;
   EXPECT_TRUE(nothing->left_out.none());
-  EXPECT_EQ(ScriptedTask("")->left_out, LeftOutByDefault());
+  EXPECT_EQ(NamesOf(ScriptedTask("")->left_out), "InstanceProgress");
+}
+
+TEST(EventsOff, ThePageOfScenarioFilesListsAllKinds) {
+  const std::string page = FileBytes(std::string(AERASCOPE_SOURCE_DIR) + "/docs/scenario-file.md");
+  for (const std::string& name : ReportKindNames()) EXPECT_THAT(page, HasSubstr("`" + name + "`"));
 }
 
 TEST(EventsOff, WhatMakesTheStoryCannotBeOff) {
