@@ -110,6 +110,13 @@ class ScriptedWorldReader {
       read.requires_all = Properties(command, "requires", seed_, &errors_);
     }
     if (Fits(command, "object", grabs || changes, "a grab or a change")) read.object = ReadActedOn(command);
+    if (Fits(command, "argument", grabs || changes, "a grab or a change")) {
+      read.names_thing = command.Choice("argument", {"hand", "thing"}, 0) == 1u;
+      if (read.names_thing && command.Has("object")) {
+        command.Fail(*command.Get("object"),
+                     "expected no 'object' of a command whose argument is the thing, found one");
+      }
+    }
     if (Fits(command, "sets", !moves, "a command that acts on a thing")) read.sets = ReadSets(command);
     if (Fits(command, "moves_to", changes, "a change")) read.moves_to = OptionalNumber(command, "moves_to");
     if (Fits(command, "largest", moves, "a move")) read.largest = command.Number("largest", 0, 0, kFar);

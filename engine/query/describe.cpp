@@ -126,7 +126,7 @@ Condition ConditionOf(const Line& line, const Names& names) {
   for (const Line::Predicate& predicate : line.predicates) {
     if (predicate.kind != Kind::kAttribute) continue;
     constants = constants && predicate.positive && predicate.value.is(TermKind::kOntology);
-    brief.push_back(ValueText(predicate.value, names));
+    brief.push_back((NamesAPlace(predicate.attribute) ? "at " : "") + ValueText(predicate.value, names));
   }
   if (!brief.empty()) condition.brief = constants ? Join(brief, " ") : condition.text;
   return condition;

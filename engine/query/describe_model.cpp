@@ -50,15 +50,18 @@ std::string Article(const std::string& phrase) {
   return phrase.find_first_of("aeiouAEIOU") == 0 ? "an " + phrase : "a " + phrase;
 }
 
-// What is said of one thing by constants: kinds as nouns ("cube"), the rest as adjectives ("large").
+// What is said of one thing by constants: kinds as nouns ("cube"), places ("at table"), the rest as adjectives
+// ("large").
 struct Description {
   std::set<std::string> adjectives;
   std::set<std::string> nouns;
+  std::set<std::string> places;
 
-  bool empty() const { return adjectives.empty() && nouns.empty(); }
+  bool empty() const { return adjectives.empty() && nouns.empty() && places.empty(); }
   std::string Words() const {
     std::vector<std::string> words(adjectives.begin(), adjectives.end());
     words.insert(words.end(), nouns.begin(), nouns.end());
+    words.insert(words.end(), places.begin(), places.end());
     return Join(words, " ");
   }
   // "a large cube", "something large".
@@ -70,8 +73,15 @@ Description DescriptionOf(const Term& thing, const Parts& parts) {
   for (const Part& part : parts.parts) {
     if (!part.positive || !IsValue(part.payload) || !(part.payload[0] == thing)) continue;
     if (!part.payload[2].is(TermKind::kOntology)) continue;
-    auto& words = NamesAKind(part.payload[1].name()) ? description.nouns : description.adjectives;
-    words.insert(Printable(part.payload[2].name()));
+    const std::string& attribute = part.payload[1].name();
+    const std::string value = Printable(part.payload[2].name());
+    if (NamesAKind(attribute)) {
+      description.nouns.insert(value);
+    } else if (NamesAPlace(attribute)) {
+      description.places.insert("at " + value);
+    } else {
+      description.adjectives.insert(value);
+    }
   }
   return description;
 }
@@ -104,7 +114,7 @@ std::string ActionTitle(const KnowledgeBase& knowledge, const Model& requirement
     if (!is_named(part.payload[0]))
       others.insert(description.Text());
     else
-      by_name.insert("the " + description.Words());
+      by_name.insert(description.nouns.empty() ? description.Text() : "the " + description.Words());
   }
   const std::set<std::string>& phrases = others.empty() ? by_name : others;
   std::string title = ValueText(target.lhs.payload[0]);

@@ -280,6 +280,10 @@ bool NamesAKind(std::string_view attribute) {
   return attribute == "essence" || attribute == "shape";
 }
 
+bool NamesAPlace(std::string_view attribute) {
+  return attribute == "position" || attribute == "at";
+}
+
 std::vector<Line> LinesOf(const std::vector<Part>& parts) {
   using Kind = Line::Predicate::Kind;
   std::vector<Line> lines;

@@ -97,5 +97,6 @@ std::vector<Line> LinesOf(const std::vector<Part>& parts);
 // The words of one attribute (describe.h).
 Line::Predicate::Kind KindOfAttribute(std::string_view attribute);
 bool NamesAKind(std::string_view attribute);  // its values are nouns: essence, shape
+bool NamesAPlace(std::string_view attribute);  // its values are where something is: position, at
 
 }  // namespace aerascope

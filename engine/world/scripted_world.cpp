@@ -173,7 +173,10 @@ class ScriptedWorld final : public World {
                     "expected " + std::to_string(expected) + (expected == 1 ? " argument" : " arguments"),
                     notes);
     }
-    if (arguments[0] != Term::Entity(config_.hand_entity)) {
+    if (known->config->names_thing && !IsThing(arguments[0])) {
+      return Refuse(asked, "expected a thing of the world as argument", notes);
+    }
+    if (!known->config->names_thing && arguments[0] != Term::Entity(config_.hand_entity)) {
       return Refuse(asked, "expected the hand " + config_.hand_entity + " as first argument", notes);
     }
     switch (kind) {
@@ -186,7 +189,7 @@ class ScriptedWorld final : public World {
       case CommandKind::kChange:
         break;
     }
-    const std::optional<std::size_t> target = Target(*known->config);
+    const std::optional<std::size_t> target = Target(*known->config, arguments[0]);
     if (!target || known->Fails(&things_[*target])) return asked;
     Affect(*known->config, *target);
     return asked;
@@ -213,18 +216,24 @@ class ScriptedWorld final : public World {
     return MakeCommand(asked[0], {asked[1][0], moved});
   }
 
+  bool IsThing(const Term& term) const {
+    return std::any_of(things_.begin(), things_.end(),
+                       [&](const Thing& thing) { return term == Term::Entity(thing.config->entity); });
+  }
+
   bool WithinReach(const Thing& thing) const {
     return !hand_ || (thing.place && std::abs(*thing.place - *hand_) <= kSamePlace);
   }
 
   // What a grab, release or change acts on.
-  std::optional<std::size_t> Target(const ScriptedCommand& command) const {
+  std::optional<std::size_t> Target(const ScriptedCommand& command, const Term& argument) const {
+    const std::string& told = command.names_thing ? argument.name() : command.object;
     for (std::size_t i = 0; i < things_.size(); ++i) {
       const Thing& thing = things_[i];
-      const bool named = thing.config->entity == command.object;
-      const bool meant = command.kind == CommandKind::kRelease
-                             ? held_ == i
-                             : held_ != i && (command.object.empty() ? WithinReach(thing) : named);
+      const bool meant =
+          command.kind == CommandKind::kRelease
+              ? held_ == i
+              : held_ != i && (told.empty() ? WithinReach(thing) : thing.config->entity == told);
       if (meant && thing.HasOneOf(command.holds) && thing.HasAll(command.requires_all)) return i;
     }
     return std::nullopt;

@@ -4,9 +4,9 @@
 // in the configuration; nothing about a particular task is in the code.
 //
 // Commands are carried out one after the other. One acts on a *thing*: a release on what is held; a grab or a
-// change on the object it names, else on the first object within reach that its conditions allow. A command
-// that has no such thing, or that fails by a rule, is reported as executed and changes nothing, as a grasp
-// that misses.
+// change on the object it is told or declared to act on, else on the first object within reach that its
+// conditions allow. A command that has no such thing, or that fails by a rule, is reported as executed and
+// changes nothing, as a grasp that misses.
 #pragma once
 
 #include <cstdint>
@@ -50,7 +50,8 @@ struct ScriptedCommand {
   CommandKind kind = CommandKind::kMove;
   std::vector<EntityProperty> holds = {};  // of a grab: the thing has one of these; empty: whatever it has
   std::vector<EntityProperty> requires_all = {};  // the thing has all of these
-  std::string object = {};  // of a grab or change: acts on this thing wherever it is; empty: by reach
+  bool names_thing = false;  // of a grab or change: its one argument is the thing it acts on, not the hand
+  std::string object = {};   // of a grab or change: acts on this thing wherever it is; empty: by reach
   std::vector<EntityProperty> sets = {};  // what becomes of the thing's state
   std::optional<double> moves_to = {};    // of a change: where the thing is then
   std::optional<double> largest = {};     // of a move: longer ones are cut to this

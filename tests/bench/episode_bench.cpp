@@ -1,5 +1,5 @@
-// What an episode costs: reasoning through the paper's task with and without a file, the physics beside it, reading and
-// indexing the run, and the report without pictures. Peak memory is that of the whole process.
+// What an episode costs: reasoning through the paper's task with and without a file, the physics beside it,
+// reading and indexing the run, and the report without pictures. Peak memory is that of the whole process.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -34,7 +34,9 @@ Scenario Load(const std::string& name) {
 }
 
 std::string ScratchEpisode() {
-  return (std::filesystem::temp_directory_path() / ("aerascope_bench_" + std::to_string(getpid()) + ".episode")).string();
+  return (std::filesystem::temp_directory_path() /
+          ("aerascope_bench_" + std::to_string(getpid()) + ".episode"))
+      .string();
 }
 
 // The paper's task, and its drives again and again until the episode is a good 3 s of engine time.
@@ -90,6 +92,36 @@ void RunWithPhysics(benchmark::State& state) {
   state.counters["peak_MiB"] = PeakMemoryMiB();
 }
 BENCHMARK(RunWithPhysics)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+// Each shipped scenario: engine time, events, wall time of its reasoning and world without a file, and the
+// most memory the process had meanwhile.
+void RunShippedScenario(benchmark::State& state, const std::string& name) {
+  const Scenario scenario = Load(name);
+  NoSink sink;
+  EpisodeOutcome last;
+  ForgetPeakMemory();
+  for (auto _ : state) {
+    auto world = MakeWorld(scenario);
+    auto outcome = RunEpisode(scenario, world->get(), &sink);
+    if (outcome.ok()) last = *outcome;
+  }
+  state.counters["engine_s"] = static_cast<double>(last.frames * scenario.sampling_period.us) / 1e6;
+  state.counters["events"] = static_cast<double>(last.events);
+  state.counters["drives"] = static_cast<double>(last.drives);
+  state.counters["reached"] = static_cast<double>(last.drives_reached);
+  state.counters["peak_MiB"] = RecentPeakMemoryMiB();
+}
+BENCHMARK_CAPTURE(RunShippedScenario, pick_and_place_scripted, "pick_and_place_scripted.toml")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunShippedScenario, size_pruned_first_scripted, "size_pruned_first_scripted.toml")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunShippedScenario, push_then_grab, "push_then_grab.toml")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunShippedScenario, hand_grab_sphere_learn, "hand_grab_sphere_learn.toml")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunShippedScenario, moving_ball, "moving_ball.toml")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunShippedScenario, pick_and_place, "pick_and_place.toml")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunShippedScenario, size_pruned_first, "size_pruned_first.toml")
+    ->Unit(benchmark::kMillisecond);
 
 void OpenAndIndexRun(benchmark::State& state) {
   const std::string path = ScratchEpisode();

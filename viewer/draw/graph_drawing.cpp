@@ -151,7 +151,8 @@ class Drawer {
     if (found == analogies_.end()) return "by analogy";
     const AnalogyCompared& compared = *found->second;
     std::string text = "by analogy: " + std::to_string(compared.matched + compared.achievable) + " of " +
-                       std::to_string(compared.total) + " conditions hold";
+                       std::to_string(compared.total) + " conditions hold" +
+                       (compared.achievable > 0 ? " or can be met" : "");
     for (const ComparedComponent& component : compared.components) {
       if (component.status != ComponentStatus::kMissed) continue;
       // What a condition is about comes first in it, in a value as in an instance.

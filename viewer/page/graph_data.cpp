@@ -200,7 +200,8 @@ class GraphAuthor {
     const auto* compared = context_.run.FindBody<AnalogyCompared>(found->second);
     const std::string object = Printable(ObjectOf(*compared));
     return "by analogy: " + std::to_string(compared->matched + compared->achievable) + " of " +
-           std::to_string(compared->total) + " conditions hold" + (object.empty() ? "" : " for " + object);
+           std::to_string(compared->total) + " conditions hold" +
+           (compared->achievable > 0 ? " or can be met" : "") + (object.empty() ? "" : " for " + object);
   }
 
   const ReportContext& context_;

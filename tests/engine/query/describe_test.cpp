@@ -96,7 +96,7 @@ TEST(DescribeTest, AStrongRequirementDenies) {
              {"X"}};
   knowledge.AddModel({cm, Origin::kSeed, {}, {}, {}, {}, false, ModelState::kActive, {}});
   knowledge.AddModel({veto, Origin::kSeed, {}, {}, {}, {}, false, ModelState::kActive, {}});
-  EXPECT_EQ(TitleOf(knowledge, ModelId{2}), "veto: lift the heavy");
+  EXPECT_EQ(TitleOf(knowledge, ModelId{2}), "veto: lift something heavy");
   EXPECT_EQ(ExplanationOf(knowledge, ModelId{2}),
             "If X weight heavy, then it is not so that lift [X] makes X level up.");
 }

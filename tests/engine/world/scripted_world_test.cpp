@@ -212,6 +212,19 @@ TEST_F(DeclaredWorldTest, ADeclaredObjectIsActedOnWhereverItIs) {
                           "(mk.val cyl position 25)"));
 }
 
+TEST_F(DeclaredWorldTest, ACommandMayNameTheThingInsteadOfTheHand) {
+  ScriptedWorldConfig config = DoorAndTable();
+  config.commands[0].names_thing = true;
+  Begin(config);
+  const auto push = [](const std::string& thing) {
+    return MakeCommand(Term::Ontology("push"), {Term::Entity(thing)});
+  };
+  EXPECT_THAT(Act({push("s1")}).executed, ElementsAre(push("s1")));
+  EXPECT_THAT(Observed(),
+              ElementsAre("(mk.val h holding [])", "(mk.val c1 at door)", "(mk.val s1 at table)"));
+  EXPECT_THAT(Act({push("h"), push("s2")}).executed, IsEmpty());
+}
+
 TEST_F(DeclaredWorldTest, AReleaseFailsOnceAfterTwoThatGoWell) {
   ScriptedWorldConfig config = FiveObjects();
   config.commands[3].fails = {{{}, 2, 1}};
