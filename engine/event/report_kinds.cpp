@@ -14,8 +14,10 @@ constexpr bool kIsOneOf = (std::is_same_v<Body, Kinds> || ...);
 // SimulationStarted ...), what a replay is fed with (WorldStateRecorded, CommandRefused), and what was really
 // asked of the world.
 template <class Body>
-constexpr bool kIsReport = kIsOneOf<Body, InductionStarted, CauseConsidered, GoalSkipped, AnalogyCompared,
-                                    SimulationEnded, PlanCommitted>;
+constexpr bool kIsReport =
+    kIsOneOf<Body, InductionStarted, CauseConsidered, GoalSkipped, AnalogyCompared, SimulationEnded,
+             PlanCommitted, ModelRejected, ChainingDecided, InstanceProgress, FactPromoted, PromotionDefeated,
+             CommandImagined, PlanRejected, GoalSuspended, GoalResumed, FrameCounted>;
 
 template <class Test>
 EventKindSet KindsWhere(Test&& test) {

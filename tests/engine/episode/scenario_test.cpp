@@ -115,6 +115,26 @@ TEST(Scenario, PropertiesStandInTheSeedAndAreReportedByTheWorld) {
                           "(mk.val cyl shape cylinder)", "(mk.val cyl size large)"));
 }
 
+// The fuzzer begins from these; they are worth keeping only while they get far.
+TEST(Scenario, TheKeptCorpusOfTheFuzzerIsUnderstood) {
+  const std::string_view separator = "\n=====\n";
+  int accepted = 0;
+  for (const auto& file : std::filesystem::directory_iterator(std::string(AERASCOPE_SOURCE_DIR) +
+                                                              "/tests/fuzz/corpus/scenario")) {
+    std::ifstream stream(file.path());
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::size_t end = text.find(separator);
+    const Result<Scenario> scenario = LoadScenarioFromFiles(
+        {{"scenario.toml", text.substr(0, end)},
+         {"seed.replicode",
+          end == std::string::npos ? std::string(kSeed) : text.substr(end + separator.size())},
+         {"world/scene.xml", "<mujoco/>"}});
+    EXPECT_TRUE(scenario.ok()) << file.path() << ": " << scenario.error().message;
+    ++accepted;
+  }
+  EXPECT_GT(accepted, 3);
+}
+
 TEST(Scenario, AFactThatIsNotForEverStaysInTheSeed) {
   const Scenario scenario = Good("");
   ASSERT_EQ(scenario.seed.facts.size(), 1u);

@@ -52,6 +52,13 @@ TEST(ReportKinds, AreNotTheStoryItself) {
   EXPECT_EQ(KindOf<GoalSkipped>(), KindOfName("GoalSkipped"));
 }
 
+TEST(ReportKinds, OnlyTheyAreLeftOutByDefault) {
+  const EventKindSet left_out = LeftOutByDefault();
+  EXPECT_EQ(NamesOf(left_out), "InstanceProgress");
+  for (std::size_t kind = 0; kind < kEventKinds; ++kind)
+    EXPECT_TRUE(!left_out[kind] || IsReportKind(kind)) << kind;
+}
+
 TEST(ReportKinds, AreNamedInTheOrderOfTheSchema) {
   EventKindSet kinds;
   kinds.set(KindOfName("GoalSkipped"));

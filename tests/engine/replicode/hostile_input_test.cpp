@@ -1,6 +1,7 @@
 // Any bytes: the reader answers, never crashes, and does not take long.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -81,6 +82,20 @@ TEST(HostileInput, EveryShortPrefixOfASeedIsAnswered) {
   for (std::size_t length = 0; length < seed.size(); length += 3) {
     (void)ReadReplicode(std::string_view(seed).substr(0, length), "t");
   }
+}
+
+// The fuzzer begins from these; they are worth keeping only while they get far.
+TEST(HostileInput, TheKeptCorpusOfTheFuzzerIsUnderstood) {
+  int accepted = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(AERASCOPE_SOURCE_DIR) +
+                                                               "/tests/fuzz/corpus/replicode")) {
+    std::ifstream file(entry.path(), std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    EXPECT_EQ(ErrorOf(text.str()), "") << entry.path();
+    ++accepted;
+  }
+  EXPECT_GT(accepted, 3);
 }
 
 TEST(HostileInput, RandomlyDamagedSeedsAreAnsweredAndWhatIsReadCanBeWritten) {
