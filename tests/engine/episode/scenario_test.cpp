@@ -431,6 +431,17 @@ TEST(ScenarioErrors, AKeyThatCannotBeginIsReported) {
   EXPECT_THAT(Load("=5\n").error().message, StartsWith("scenario.toml:1:"));
 }
 
+// The library's test for white space was undefined for letters beyond ASCII; the fuzzer found it.
+TEST(Scenario, LettersBeyondAsciiAreNotWhiteSpace) {
+  const auto story = Load("story = \"\"\"A long \\\n  \u00e4rm reaches out.\"\"\"\n" + std::string(kHead) +
+                          std::string(kWorld));
+  ASSERT_TRUE(story.ok()) << story.error().message;
+  EXPECT_EQ(story->story, "A long \u00e4rm reaches out.");
+  const auto key = Load("\ufebftitle = 1\n");
+  ASSERT_FALSE(key.ok());
+  EXPECT_THAT(key.error().message, HasSubstr("scenario.toml:1:1: expected valid TOML"));
+}
+
 TEST(ScenarioErrors, RandomlyDamagedScenariosAreAnswered) {
   std::ifstream file(kScenarios + "pick_and_place_scripted.toml");
   const std::string good{std::istreambuf_iterator<char>(file), {}};
