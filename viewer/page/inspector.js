@@ -110,7 +110,10 @@ function inspectorPane(app) {
       const x = X(step.at), y = Y(step.sure);
       if (i === 0) {
         const room = x - left > 110;
-        picture.append(room ? value(x - 12, y + 4, "end", step, x - left - 14) : value(x, y + 18 > bottom ? y - 8 : y + 18, "start", step, 110));
+        // Above, where the curve soon falls.
+        const falls = i < last && steps[i + 1].sure < step.sure && X(steps[i + 1].at) < x + 110;
+        picture.append(room ? value(x - 12, y + 4, "end", step, x - left - 14)
+          : value(x, falls || y + 18 > bottom ? y - 8 : y + 18, "start", step, 110));
         free = room ? x - 8 : x + 110;
       } else if (i === last) {
         picture.append(svg("text", { class: "value", x: right + 10, y: y + 2 }, svg("tspan", { text: sureText(step.sure) })),

@@ -194,7 +194,8 @@ function lanesPane(app) {
       svg("rect", { class: "focus", x: first - 36, y, width: Math.max(60, X(clock.end) - first + 70), height: LANE.curve, rx: 4 }),
       svg("path", { class: "curve", d }), ...dots,
       first > 44 ? svg("text", { x: first - 7, y: Y(steps[0].sure) + 4, "text-anchor": "end", text: sureText(steps[0].sure) }) : "",
-      svg("text", { x: X(clock.end) + 9, y: Y(last.sure) + 4, text: last.deleted ? "deleted" : sureText(last.sure) }));
+      last.deleted ? svg("text", { x: X(last.at) + 7, y: Y(last.sure) + 4, text: "deleted" })
+        : svg("text", { x: X(clock.end) + 9, y: Y(last.sure) + 4, text: sureText(last.sure) }));
   }
 
   function selectable(subject, title, more, at, ...children) {
