@@ -50,7 +50,8 @@ std::string Article(const std::string& phrase) {
   return phrase.find_first_of("aeiouAEIOU") == 0 ? "an " + phrase : "a " + phrase;
 }
 
-// What is said of one thing by constants: kinds as nouns ("cube"), places ("at table"), the rest as adjectives
+// What is said of one thing by constants: kinds as nouns ("cube"), places ("at table"), the rest as
+// adjectives
 // ("large").
 struct Description {
   std::set<std::string> adjectives;
@@ -86,13 +87,36 @@ Description DescriptionOf(const Term& thing, const Parts& parts) {
   return description;
 }
 
+// "S at P whenever move [H D] makes H at P".
+std::string ReuseTitle(const KnowledgeBase& knowledge, const Model& model) {
+  const ModelLines lines = LinesOf(knowledge, model);
+  return lines.rhs + " whenever " + lines.lhs;
+}
+
+// Where a model does not start from a command: what it starts from, and the things that the requirement is
+// about.
+std::string SettingTitle(const KnowledgeBase& knowledge, const Model& requirement, const Model& target) {
+  std::string title =
+      KindOf(target) == ModelKind::kReuse
+          ? ReuseTitle(knowledge, target)
+          : SideText(knowledge, target.lhs.positive, target.lhs.payload, VariableNames(knowledge, target));
+  Parts parts;
+  AddParts(knowledge, requirement.lhs, 0, &parts);
+  std::set<std::string> things;
+  for (const Part& part : parts.parts) {
+    if (!IsValue(part.payload)) continue;
+    const Description description = DescriptionOf(part.payload[0], parts);
+    if (!description.empty()) things.insert(description.Text());
+  }
+  return things.empty() ? title : title + ", with " + InWords({things.begin(), things.end()});
+}
+
 // "grab_type_2 something large": the command, and the things it is about that it does not name itself; the
 // things it does name only if there are no others.
 std::string ActionTitle(const KnowledgeBase& knowledge, const Model& requirement, const Model& target) {
   std::vector<Term> arguments;
   ArgumentsOf(target, requirement.rhs.payload, &arguments);
-  if (!IsCommand(target.lhs.payload))
-    return SideText(knowledge, target.lhs.positive, target.lhs.payload, VariableNames(knowledge, target));
+  if (!IsCommand(target.lhs.payload)) return SettingTitle(knowledge, requirement, target);
   const Term command = WithArguments(target.lhs.payload, arguments);
   if (!IsCommand(command)) return ValueText(target.lhs.payload[0]);
   Parts parts;
@@ -191,7 +215,7 @@ std::string TitleOf(const KnowledgeBase& knowledge, ModelId id) {
       return model.rhs.positive ? title : "veto: " + title;
     }
     case ModelKind::kReuse:
-      return LinesOf(knowledge, model).rhs;
+      return ReuseTitle(knowledge, model);
     case ModelKind::kDrive:
       return "drive: " + LinesOf(knowledge, model).rhs;
     case ModelKind::kCausal:
