@@ -769,10 +769,11 @@ enum class PlanRejection {
   kTie,             // another as good was found before
   kHarms,           // it would make a more important goal fail
   kMandatoryHarms,  // what must be done would make a more important goal fail: nothing is done
+  kMandatoryFirst,  // something else must be done before it
 };
 template <>
-inline constexpr std::array<std::string_view, 6> kEnumNames<PlanRejection>{
-    "not_enabled", "not_reached", "lower_score", "tie", "harms", "mandatory_harms"};
+inline constexpr std::array<std::string_view, 7> kEnumNames<PlanRejection>{
+    "not_enabled", "not_reached", "lower_score", "tie", "harms", "mandatory_harms", "mandatory_first"};
 
 struct PlanRejected {
   GoalId goal;

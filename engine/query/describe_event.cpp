@@ -123,6 +123,8 @@ std::string_view Words(PlanRejection reason) {
       return "it would harm a more important goal";
     case PlanRejection::kMandatoryHarms:
       return "what must be done would harm a more important goal";
+    case PlanRejection::kMandatoryFirst:
+      return "something else must be done first";
   }
   return {};
 }

@@ -82,6 +82,15 @@ const SituationFact* Counterpart(const Term& payload, const Situation& situation
   return best;
 }
 
+const SituationFact* Predicted(const FactPattern& component, const std::vector<SituationFact>& predicted,
+                               const Bindings& bindings) {
+  for (const SituationFact& fact : predicted) {
+    Bindings trial = bindings;
+    if (fact.fact.positive == component.positive && Match(component.payload, fact.fact.payload, trial)) return &fact;
+  }
+  return nullptr;
+}
+
 void CollectEntities(const Term& term, std::vector<Term>* entities) {
   ForEachTerm(term, [&](const Term& part) {
     if (part.is(TermKind::kEntity) && std::find(entities->begin(), entities->end(), part) == entities->end()) {
@@ -93,8 +102,8 @@ void CollectEntities(const Term& term, std::vector<Term>* entities) {
 // Nothing if the assignment asks for other individuals than those that are there.
 std::optional<Comparison> CompareUnder(const KnowledgeBase& knowledge, const ModelRecord& requirement,
                                        const CompositeState& state, const Situation& situation,
-                                       const Bindings& goal_bindings, const Bindings& bindings,
-                                       const CanBringAbout& can_bring_about) {
+                                       const std::vector<SituationFact>& predicted, const Bindings& goal_bindings,
+                                       const Bindings& bindings, const CanBringAbout& can_bring_about) {
   Comparison comparison;
   comparison.requirement = requirement.model.id;
   comparison.source = state.id;
@@ -110,6 +119,10 @@ std::optional<Comparison> CompareUnder(const KnowledgeBase& knowledge, const Mod
     if (component.status == ComponentStatus::kMatched) {
       component.found = situation[found].id;
       component.counterpart = situation[found].fact.payload;
+      ++comparison.matched;
+    } else if (const SituationFact* expected = Predicted(state.components[i], predicted, bindings)) {
+      component.status = ComponentStatus::kMatched;
+      component.counterpart = expected->fact.payload;
       ++comparison.matched;
     } else if (const SituationFact* counterpart = Counterpart(component.pattern, situation)) {
       component.counterpart = counterpart->fact.payload;
@@ -211,12 +224,19 @@ bool KeepsToIndividuals(const FactPattern& component, const Situation& situation
 }
 
 Comparison Compare(const KnowledgeBase& knowledge, const ModelRecord& requirement, const Situation& situation,
-                   const Bindings& bindings, const Term& goal, const CanBringAbout& can_bring_about,
+                   const std::vector<SituationFact>& predicted, const Bindings& bindings, const Term& goal, const CanBringAbout& can_bring_about,
                    const ReasonerParameters& parameters) {
   const CompositeState& state = knowledge.Find(RequiredState(requirement.model))->state;
   std::optional<Comparison> best;
-  for (const Bindings& assignment : Assignments(state, situation, bindings)) {
-    auto comparison = CompareUnder(knowledge, requirement, state, situation, bindings, assignment, can_bring_about);
+  // OpenAERA tries the first partial match only: what the goal binds, and nothing else; and what could be brought about
+  // is no part of its comparison.
+  const bool openaera = parameters.analogy_mode == AnalogyMode::kOpenaera;
+  const CanBringAbout nothing = [](const Term&) { return false; };
+  const CanBringAbout& could = openaera ? nothing : can_bring_about;
+  const std::vector<Bindings> assignments =
+      openaera ? std::vector<Bindings>{bindings} : Assignments(state, situation, bindings);
+  for (const Bindings& assignment : assignments) {
+    auto comparison = CompareUnder(knowledge, requirement, state, situation, predicted, bindings, assignment, could);
     if (!comparison) continue;
     // Something must be missing, or there is nothing to generalise; then the most that is seen counts, before what
     // could be brought about.
@@ -225,9 +245,8 @@ Comparison Compare(const KnowledgeBase& knowledge, const ModelRecord& requiremen
       return std::tuple(partial, c.matched, c.achievable);
     };
     if (!best || rank(*comparison) > rank(*best)) best = std::move(comparison);
-    if (parameters.analogy_mode == AnalogyMode::kOpenaera) break;
   }
-  if (!best) best = CompareUnder(knowledge, requirement, state, situation, bindings, bindings, can_bring_about);
+  if (!best) best = CompareUnder(knowledge, requirement, state, situation, predicted, bindings, bindings, could);
   best->rejection = Judge(*best, state, requirement.model, goal, parameters);
   best->confidence = parameters.analogy_mode == AnalogyMode::kOpenaera
                          ? kOpenaeraConfidence

@@ -40,8 +40,9 @@ bool KeepsToIndividuals(const FactPattern& component, const Situation& situation
                         const Bindings& chosen);
 
 // Compares. `bindings` are those of the composite state that the goal gives; `goal` is the goal's payload.
+// What is `predicted` counts as matched, as what is the case does.
 Comparison Compare(const KnowledgeBase& knowledge, const ModelRecord& requirement, const Situation& situation,
-                   const Bindings& bindings, const Term& goal, const CanBringAbout& can_bring_about,
+                   const std::vector<SituationFact>& predicted, const Bindings& bindings, const Term& goal, const CanBringAbout& can_bring_about,
                    const ReasonerParameters& parameters);
 
 // A nested or plain component under bindings: does something in force fit, could it be brought about, or neither?

@@ -1,44 +1,53 @@
-// The Planner answers one question a frame: which command now, for this goal? It chains backwards from the goal through
-// causal models and the composite states that allow them, tries the plans it finds by forward chaining in the head, and
-// chooses the one with the highest product of confidences (semantics 4 and 6.2). Where no fully known condition leads
-// to the goal, the best partial match is hypothesised by analogy, tried, and used at once.
+// The planner answers one question a frame: which command now, for this goal? It chains backwards from the
+// goal (backward_chaining.h), tries the plans it finds in the head (simulation.h) and commits to the best
+// (commit.h). Where no known condition leads to the goal, the best partial match is hypothesised by analogy
+// (hypothesis.h), tried, and used at once.
 //
-// Everything is written to the journal: goals, skipped goals, comparisons with their verdicts, simulations, the choice.
-// Work is bounded by counted nodes, not by time.
+// Everything is written to the journal: goals, skipped goals, comparisons with their verdicts, simulations,
+// rejected plans, the choice. Work is bounded by counted nodes, not by time.
 #pragma once
 
-#include <functional>
 #include <optional>
+#include <set>
 #include <vector>
 
-#include "engine/reason/analogy.h"
+#include "engine/reason/backward_chaining.h"
+#include "engine/reason/hypothesis.h"
 #include "engine/reason/journal.h"
 #include "engine/reason/parameters.h"
+#include "engine/reason/simulation.h"
 #include "engine/reason/situation.h"
 
 namespace aerascope {
 
-struct Decision {
-  Term command;
-  EventId event;  // PlanCommitted
-};
-
 struct PlanningTask {
-  GoalId drive;
-  EventId drive_event;
-  Term goal;               // payload wanted; variables and wildcards match anything
-  bool positive = true;
-  TimeInterval interval;   // when it is wanted
-  Time now;                // goals are set now
-  Time commit_time;        // the choice is written then
+  GoalEntry drive;
+  Fact target;                    // what is wanted, when; confidence says how much
+  std::vector<OtherGoal> others;  // other open drives
+  // Commands that would undo a more important goal, as found while planning for that one.
+  std::vector<Prohibition> prohibitions;
+  Time now;  // goals are set now
 };
 
-// Called when a hypothesis became knowledge, so that the present situation is offered to it at once.
-using OfferKnowledge = std::function<void(CompositeStateId, ModelId)>;
+// An event to be written when the choice is.
+struct PendingEvent {
+  EventBody body;
+  std::vector<EventId> causes;
+};
 
-// The first command of the best plan, or nothing if none leads to the goal. `situation` is the present one; `offer` may
-// extend it.
-std::optional<Decision> PlanFor(const PlanningTask& task, const ReasonerParameters& parameters, Duration period,
-                                const Situation& situation, const OfferKnowledge& offer, Journal* journal);
+struct Decision {
+  // The first command of the plan committed to, nil if the plan begins with waiting; nothing if no plan was
+  // chosen.
+  std::optional<Term> command;
+  std::vector<PendingEvent> outcome;      // rejected plans, then the one committed to
+  std::vector<Step> steps;                // of that plan
+  std::set<ModelId> vetoed;               // models of steps that a veto disabled in some plan
+  std::vector<GoalLog::Line> goals;       // all goals set for this decision
+  std::vector<Prohibition> prohibitions;  // commands that would undo this goal
+};
+
+// `situation` is the present one; `offer` may extend it.
+Decision PlanFor(const PlanningTask& task, const ReasonerParameters& parameters, Duration period,
+                 const Situation& situation, const OfferKnowledge& offer, Journal* journal);
 
 }  // namespace aerascope

@@ -5,7 +5,6 @@
 
 #include "engine/reason/chaining.h"
 #include "engine/reason/induction.h"
-#include "engine/reason/planner.h"
 #include "engine/reason/rating.h"
 
 namespace aerascope {
@@ -46,7 +45,8 @@ Reasoner::Reasoner(const ReasonerParameters& parameters, Duration sampling_perio
       period_(sampling_period),
       journal_(sink),
       previous_({Time{-sampling_period.us}, Time{0}}),
-      situation_({Time{-sampling_period.us}, Time{0}}) {}
+      situation_({Time{-sampling_period.us}, Time{0}}),
+      drives_(parameters_, sampling_period, &journal_) {}
 
 void Reasoner::LoadSeed(const std::vector<Term>& symbols, const std::vector<Fact>& properties,
                         const std::vector<CompositeState>& states, const std::vector<SeedModelDefinition>& models) {
@@ -97,13 +97,14 @@ void Reasoner::BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed) {
   }
   for (const Fact& fact : sensed) AddFact(fact, FactSource::kSensor, interval.after, {});
   CheckPredictions();
-  CheckDrive();
+  drives_.Check(situation_, concluded_);
   LearnFromChanges();
   Chain(interval.after);
 }
 
 void Reasoner::CheckPredictions() {
   expected_.clear();
+  concluded_.clear();
   const TimeInterval frame = FrameInterval();
   const std::map<PredictionId, PredictionRecord> open = knowledge().predictions();
   for (const auto& [id, prediction] : open) {
@@ -142,6 +143,7 @@ void Reasoner::Conclude(PredictionId prediction, const Fact& target, EventId mad
   const std::vector<EventId> causes{made, evidence ? evidence->event : EventId{}};
   const EventId outcome = success ? journal_.Write(now, PredictionSucceeded{prediction, shown_by}, causes)
                                   : journal_.Write(now, PredictionFailed{prediction, shown_by}, causes);
+  concluded_[prediction] = outcome;
   if (!success && !evidence) {
     Fact absent = target;
     absent.positive = !target.positive;
@@ -167,21 +169,6 @@ void Reasoner::RateModel(ModelId id, bool success, EventId outcome) {
       now, EvidenceUpdated{id, success, before.evidence, after.evidence, before.strong, after.strong}, {outcome});
   if (after.state != before.state) {
     journal_.Write(now, ModelStateChanged{id, before.state, after.state}, {updated});
-  }
-}
-
-void Reasoner::CheckDrive() {
-  if (!drive_) return;
-  const Time now = FrameInterval().after;
-  const std::size_t evidence = situation_.FindMatch(drive_->goal, true, {});
-  if (evidence != Situation::npos) {
-    journal_.Write(now, GoalAchieved{drive_->id, situation_[evidence].id}, {drive_->event, situation_[evidence].event});
-    last_drive_reached_ = true;
-    drive_.reset();
-  } else if (drive_->interval.before <= now) {
-    journal_.Write(now, GoalFailed{drive_->id}, {drive_->event});
-    last_drive_reached_ = false;
-    drive_.reset();
   }
 }
 
@@ -271,39 +258,18 @@ void Reasoner::FireOn(std::size_t fact, Time at) {
   }
 }
 
-bool Reasoner::SetDrive(const std::string& title, const Term& goal, Time deadline) {
-  const Time now = At(parameters_.goal_offset);
-  OpenDrive drive;
-  drive.id = journal_.NewId<GoalId>();
-  drive.goal = goal;
-  drive.interval = {now, deadline};
-  drive.event = journal_.Write(now, DriveInjected{drive.id, title, Fact{true, goal, drive.interval, 1}});
-  drive_ = drive;
-  const std::size_t evidence = situation_.FindMatch(goal, true, {});
-  if (evidence == Situation::npos) return false;
-  journal_.Write(now, GoalAchieved{drive.id, situation_[evidence].id}, {drive.event, situation_[evidence].event});
-  last_drive_reached_ = true;
-  drive_.reset();
-  return true;
+bool Reasoner::SetDrive(const std::string& title, const Term& goal, Time deadline, bool positive, double confidence) {
+  return drives_.Give(title, Fact{positive, goal, {At(parameters_.goal_offset), deadline}, confidence}, situation_);
 }
 
-std::optional<Reasoner::Wish> Reasoner::Decide() {
-  if (!drive_) return std::nullopt;
-  PlanningTask task;
-  task.drive = drive_->id;
-  task.drive_event = drive_->event;
-  task.goal = drive_->goal;
-  task.interval = drive_->interval;
-  task.now = At(parameters_.goal_offset);
-  task.commit_time = At(parameters_.commit_offset);
+std::optional<Wish> Reasoner::Decide() {
   const OfferKnowledge offer = [&](CompositeStateId state, ModelId requirement) {
+    const Time now = At(parameters_.goal_offset);
     const CompositeStateRecord* record = knowledge().Find(state);
-    if (record) WriteInstances(AddInstances(record->state, &situation_), task.now);
-    OfferToRequirement(requirement, task.now);
+    if (record) WriteInstances(AddInstances(record->state, &situation_), now);
+    OfferToRequirement(requirement, now);
   };
-  const auto decision = PlanFor(task, parameters_, period_, situation_, offer, &journal_);
-  if (!decision) return std::nullopt;
-  return Wish{decision->command, drive_->id, decision->event};
+  return drives_.Decide(situation_, offer);
 }
 
 EventId Reasoner::CommandIssued(const Term& command, Commander by, GoalId drive, EventId cause) {
@@ -318,6 +284,7 @@ void Reasoner::Executed(const Term& command, EventId issued) {
   const Time at = At(parameters_.commit_offset);
   const Fact fact{true, command, {At(parameters_.command_offset), FrameInterval().before}, 1};
   FireOn(AddFact(fact, FactSource::kExecuted, at, {issued}), at);
+  drives_.Suspend(at);
 }
 
 }  // namespace aerascope

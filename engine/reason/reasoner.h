@@ -6,11 +6,13 @@
 // It does no input or output: everything it says are events to the sink. Not thread-safe.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/event/event.h"
+#include "engine/reason/drives.h"
 #include "engine/reason/journal.h"
 #include "engine/reason/parameters.h"
 #include "engine/reason/situation.h"
@@ -39,17 +41,15 @@ class Reasoner {
 
   void BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed);
 
-  // Gives a drive; it is open until reached or until `deadline`. True if it is reached already. One drive at a time.
-  bool SetDrive(const std::string& title, const Term& goal, Time deadline);
-  bool drive_open() const { return drive_.has_value(); }
-  bool last_drive_reached() const { return last_drive_reached_; }
+  // Gives a drive: something to bring about, or (not `positive`) to put an end to, by the deadline. True if it is
+  // reached already. Several may be open at a time; confidence says how much each is wanted.
+  bool SetDrive(const std::string& title, const Term& goal, Time deadline, bool positive = true, double confidence = 1);
+  bool drive_open() const { return drives_.any_open(); }
+  bool last_drive_reached() const { return drives_.last_reached(); }  // of the one that was closed last
+  const Drives& drives() const { return drives_; }
 
-  struct Wish {
-    Term command;
-    GoalId drive;
-    EventId event;
-  };
-  // The command wanted in this frame for the open drive, if a plan was found.
+  // The command wanted in this frame for the open drives, if a plan was found.
+  using Wish = aerascope::Wish;
   std::optional<Wish> Decide();
 
   // A command goes to the world, from a teacher or the agent's own wish. Returns the event.
@@ -65,20 +65,12 @@ class Reasoner {
   void Conclude(PredictionId prediction, const Fact& target, EventId made, const std::vector<ModelId>& rated, bool success,
                 const SituationFact* evidence);
   void RateModel(ModelId id, bool success, EventId outcome);
-  void CheckDrive();
   void LearnFromChanges();
   void Chain(Time at);
   void OfferToRequirement(ModelId id, Time at);
   void WriteInstances(const std::vector<std::size_t>& positions, Time at);
   void FireOn(std::size_t fact, Time at);
   std::size_t AddFact(Fact fact, FactSource source, Time at, const std::vector<EventId>& causes);
-
-  struct OpenDrive {
-    GoalId id;
-    EventId event;
-    Term goal;
-    TimeInterval interval;
-  };
 
   ReasonerParameters parameters_;
   Duration period_;
@@ -87,8 +79,8 @@ class Reasoner {
   Situation previous_;
   Situation situation_;
   std::vector<Fact> expected_;  // targets of predictions for this frame, come true or not
-  std::optional<OpenDrive> drive_;
-  bool last_drive_reached_ = false;
+  std::map<PredictionId, EventId> concluded_;  // predictions closed in this frame, and by which event
+  Drives drives_;
 };
 
 }  // namespace aerascope

@@ -152,7 +152,7 @@ TEST(Planning, WhatNoModelCanChangeIsNotPursued) {
   EXPECT_EQ(task.Pursue({MakeValue(E("c1"), O("size"), O("large"))}, 2), 0);
   const auto skipped = task.events.All<GoalSkipped>();
   ASSERT_FALSE(skipped.empty());
-  EXPECT_EQ(skipped[0]->reason, GoalSkipReason::kNoModel);
+  EXPECT_EQ(skipped[0]->reason, GoalSkipReason::kProperty);
 }
 
 TEST(Planning, ASearchEndsWithItsBudget) {

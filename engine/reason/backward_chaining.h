@@ -1,0 +1,132 @@
+// Backward chaining: from a goal, through models whose right side it matches, to what would have to be done
+// and to hold (semantics 4.2 to 4.4). The result are plans, each with the frame it should end in; every goal
+// on the way and every branch not taken is logged.
+//
+// Chained through are causal models with a command on the left (the step is that command), causal models with
+// a fact on the left (that fact becomes a goal, and the step is to wait), and reuse models (the goal becomes
+// an instance of another model, the step is that one's). Requirement models give composite states, whose
+// missing parts become goals; requirement models may have requirements themselves. A goal that some model
+// would undo gives a branch that is mandatory: what must not happen.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/reason/arrangement.h"
+#include "engine/reason/hypothesis.h"
+#include "engine/reason/plan.h"
+
+namespace aerascope {
+
+// A command that would undo the goal, as far as the present situation allows it.
+struct Prohibition {
+  Term command;  // wildcards match anything
+  GoalEntry goal;
+};
+
+// A fact that would undo the goal and holds: it must cease to.
+struct MandatoryGoal {
+  GoalEntry goal;
+  Fact target;
+};
+
+class BackwardChainer {
+ public:
+  // All outlive the chainer.
+  BackwardChainer(const PlanningContext& context, GoalLog* goals, Hypotheses* hypotheses)
+      : context_(context), knowledge_(context.knowledge), goals_(*goals), hypotheses_(*hypotheses) {}
+
+  // Plans that bring the target about from the frame, best first. With `through_hypotheses`, conditions
+  // generalised by analogy are taken too; otherwise they are only compared. Each call has the whole budget of
+  // nodes.
+  std::vector<Plan> PlansFor(const Fact& target, const GoalEntry& goal,
+                             const std::shared_ptr<ImaginedFrame>& from, bool through_hypotheses);
+
+  // What the present situation would let undo the goal (opposite matches).
+  void FindThreats(const Fact& target, const GoalEntry& goal, ImaginedFrame* present,
+                   std::vector<Prohibition>* prohibitions, std::vector<MandatoryGoal>* mandatory);
+
+ private:
+  using Frame = std::shared_ptr<ImaginedFrame>;
+
+  // A frame in which a model is allowed to fire, how one gets there, and what is bound by what allows it.
+  struct Way {
+    Plan plan;
+    Bindings bindings;      // of the model
+    double confidence = 1;  // of the requirement model's statement; 1 if none is needed
+    bool required = false;
+    ModelId requirement;
+    int hypothesis = -1;
+  };
+  // A firing at the end of a plan.
+  struct Firing {
+    Plan plan;  // up to the frame of the firing
+    Step step;
+    Bindings bindings;
+    std::vector<SituationFact> effects;
+  };
+  // A frame in which a composite state holds, how one gets there, and its instance.
+  struct Held {
+    Plan plan;
+    Bindings bindings;
+    double confidence = 1;
+  };
+  // The goal a search is for, and where it stands in the tree.
+  struct Quest {
+    Fact target;
+    GoalEntry goal;
+    int depth = 0;
+  };
+
+  std::vector<Plan> Achieve(const Quest& quest, const Frame& from);
+  std::optional<Plan> WaitFor(const Quest& quest, const Frame& from);
+  void AchieveThrough(const ModelRecord& record, const Bindings& bindings, const Quest& quest,
+                      const Frame& from, std::vector<Plan>* plans);
+  std::vector<Way> Enable(const ModelRecord& record, const Bindings& bindings, const Quest& quest,
+                          const Frame& from);
+  void EnableThrough(const ModelRecord& requirement, const ModelRecord& record, const Bindings& bindings,
+                     const Bindings& required, const Quest& quest, const Frame& from, std::vector<Way>* ways);
+  void EnableByAnalogy(const ModelRecord& requirement, const CompositeStateRecord& required,
+                       const ModelRecord& record, const Bindings& bindings, const Bindings& state_bindings,
+                       const Quest& quest, const Frame& from, std::vector<Way>* ways);
+  bool Allow(const ModelRecord& requirement, const CompositeState& state, const Bindings& bindings,
+             const Quest& quest, Held* held);
+  std::optional<Way> Complete(const Model& requirement, double rate, const Held& held, const Term& instance,
+                              const Model& model, const Bindings& bindings) const;
+  bool Hold(const CompositeState& state, const Bindings& bindings, const Quest& quest, const Frame& from,
+            std::vector<Held>* held);
+  bool BringAbout(const CompositeState& state, const FlatState& flat, const Arrangement& arrangement,
+                  const Quest& quest, const Frame& from, std::vector<Held>* held);
+  std::vector<Plan> InOrder(const std::vector<Fact>& wanted, const Quest& quest, const Frame& from);
+  std::vector<Firing> Fire(const ModelRecord& record, const Way& way, const Quest& quest, const Fact* wanted);
+  std::vector<Firing> FireOnFact(const ModelRecord& record, const Way& way, const Quest& quest,
+                                 const Fact* wanted);
+  std::vector<Firing> FireOnInstance(const ModelRecord& record, const Way& way, const Quest& quest,
+                                     const Fact* wanted);
+  std::optional<Firing> Finish(const ModelRecord& record, const Way& way, const Bindings& bindings, Step step,
+                               const Quest& quest, const Fact* wanted);
+  std::optional<Plan> Advance(Firing firing, const Fact& wanted);
+  bool Vetoed(const Model& model, const Bindings& bindings, const Way& way) const;
+  bool StillAllowed(const Model& model, const Way& way) const;
+  bool Expected(const FactPattern& part, const ImaginedFrame& frame) const;
+
+  bool CanBringAboutFact(const Term& payload, bool positive);
+  bool CanFire(const ModelRecord& record, const Bindings& bindings, int depth);
+  double Conceivable(const Term& payload);
+  TimeInterval WindowOf(const Model& model, const Bindings& bindings, const TimeInterval& target) const;
+  std::vector<ModelId> ModelsFor(const Fact& target) const;
+  bool Spend(const Quest& quest);
+
+  const PlanningContext& context_;
+  const KnowledgeBase& knowledge_;
+  GoalLog& goals_;
+  Hypotheses& hypotheses_;
+  bool through_hypotheses_ = false;
+  int nodes_ = 0;
+  std::vector<Fact> stack_;  // goals being pursued, outermost first
+  std::map<std::string, bool> can_bring_about_;
+};
+
+}  // namespace aerascope

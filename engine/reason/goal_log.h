@@ -1,0 +1,44 @@
+// The GoalLog writes the goals of one decision: each goal and each goal not pursued once, however often the
+// search comes by it again.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/reason/journal.h"
+
+namespace aerascope {
+
+struct GoalEntry {
+  GoalId id;
+  EventId event;
+};
+
+class GoalLog {
+ public:
+  GoalLog(Journal* journal, Time now) : journal_(*journal), now_(now) {}
+
+  // The goal for this target under its super goal. `model` leads from it to the super goal; none inside a
+  // composite state.
+  GoalEntry Set(const GoalEntry& super, ModelId model, const Fact& target);
+  void Skip(const GoalEntry& super, const Fact& target, GoalSkipReason reason);
+
+  // All goals set, oldest first, with the goal each serves.
+  struct Line {
+    GoalEntry goal;
+    GoalId super;
+    ModelId model;
+  };
+  const std::vector<Line>& lines() const { return lines_; }
+
+ private:
+  Journal& journal_;
+  Time now_;
+  std::map<std::string, GoalEntry> goals_;
+  std::set<std::string> skipped_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace aerascope
