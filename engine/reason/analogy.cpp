@@ -13,9 +13,10 @@ constexpr double kOpenaeraConfidence = 0.6;  // what the analogy branch of OpenA
 constexpr int kOpenaeraMinMatched = 3;
 constexpr std::size_t kMaxAssignments = 256;
 
-// All ways to give the composite state's unbound variables those individuals that facts suggest for them. The first
-// choice for each variable is "none", so the assignment that binds nothing comes first.
-std::vector<Bindings> Assignments(const CompositeState& state, const Situation& situation, const Bindings& bindings) {
+// All ways to give the composite state's unbound variables those individuals that facts suggest for them. The
+// first choice for each variable is "none", so the assignment that binds nothing comes first.
+std::vector<Bindings> Assignments(const CompositeState& state, const Situation& situation,
+                                  const Bindings& bindings) {
   std::map<int, std::vector<Term>> individuals;
   for (const FactPattern& component : state.components) {
     for (const std::size_t i : situation.Candidates(component.payload, bindings)) {
@@ -47,8 +48,8 @@ std::vector<Bindings> Assignments(const CompositeState& state, const Situation& 
   return assignments;
 }
 
-// What the situation has in the place of a component that does not match: the same attribute of the same object, or the
-// instance of the same composite state with the most equal arguments.
+// What the situation has in the place of a component that does not match: the same attribute of the same
+// object, or the instance of the same composite state with the most equal arguments.
 const SituationFact* Counterpart(const Term& payload, const Situation& situation) {
   const SituationFact* best = nullptr;
   int best_score = 0;
@@ -86,14 +87,16 @@ const SituationFact* Predicted(const FactPattern& component, const std::vector<S
                                const Bindings& bindings) {
   for (const SituationFact& fact : predicted) {
     Bindings trial = bindings;
-    if (fact.fact.positive == component.positive && Match(component.payload, fact.fact.payload, trial)) return &fact;
+    if (fact.fact.positive == component.positive && Match(component.payload, fact.fact.payload, trial))
+      return &fact;
   }
   return nullptr;
 }
 
 void CollectEntities(const Term& term, std::vector<Term>* entities) {
   ForEachTerm(term, [&](const Term& part) {
-    if (part.is(TermKind::kEntity) && std::find(entities->begin(), entities->end(), part) == entities->end()) {
+    if (part.is(TermKind::kEntity) &&
+        std::find(entities->begin(), entities->end(), part) == entities->end()) {
       entities->push_back(part);
     }
   });
@@ -102,8 +105,9 @@ void CollectEntities(const Term& term, std::vector<Term>* entities) {
 // Nothing if the assignment asks for other individuals than those that are there.
 std::optional<Comparison> CompareUnder(const KnowledgeBase& knowledge, const ModelRecord& requirement,
                                        const CompositeState& state, const Situation& situation,
-                                       const std::vector<SituationFact>& predicted, const Bindings& goal_bindings,
-                                       const Bindings& bindings, const CanBringAbout& can_bring_about) {
+                                       const std::vector<SituationFact>& predicted,
+                                       const Bindings& goal_bindings, const Bindings& bindings,
+                                       const CanBringAbout& can_bring_about) {
   Comparison comparison;
   comparison.requirement = requirement.model.id;
   comparison.source = state.id;
@@ -142,8 +146,10 @@ std::optional<Comparison> CompareUnder(const KnowledgeBase& knowledge, const Mod
   return comparison;
 }
 
-// Is every variable that the requirement passes on, and its composite state gave, still bound by what is kept?
-bool BindsWhatIsPassedOn(const CompositeState& state, const Model& requirement, const std::vector<std::size_t>& kept) {
+// Is every variable that the requirement passes on, and its composite state gave, still bound by what is
+// kept?
+bool BindsWhatIsPassedOn(const CompositeState& state, const Model& requirement,
+                         const std::vector<std::size_t>& kept) {
   std::set<int> kept_variables;
   for (const std::size_t i : kept) {
     ForEachVariable(state.components[i].payload, [&](int v) { kept_variables.insert(v); });
@@ -164,22 +170,25 @@ bool ObservedAboutGoal(const Comparison& comparison, const Term& goal) {
   std::vector<Term> individuals;
   CollectEntities(goal, &individuals);
   return std::all_of(individuals.begin(), individuals.end(), [&](const Term& individual) {
-    return std::any_of(comparison.components.begin(), comparison.components.end(), [&](const ComparedComponent& c) {
-      if (c.status != ComponentStatus::kMatched) return false;
-      std::vector<Term> about;
-      CollectEntities(c.counterpart, &about);
-      return std::find(about.begin(), about.end(), individual) != about.end();
-    });
+    return std::any_of(comparison.components.begin(), comparison.components.end(),
+                       [&](const ComparedComponent& c) {
+                         if (c.status != ComponentStatus::kMatched) return false;
+                         std::vector<Term> about;
+                         CollectEntities(c.counterpart, &about);
+                         return std::find(about.begin(), about.end(), individual) != about.end();
+                       });
   });
 }
 
-std::optional<AnalogyVerdict> Judge(const Comparison& comparison, const CompositeState& state, const Model& requirement,
-                                    const Term& goal, const ReasonerParameters& parameters) {
+std::optional<AnalogyVerdict> Judge(const Comparison& comparison, const CompositeState& state,
+                                    const Model& requirement, const Term& goal,
+                                    const ReasonerParameters& parameters) {
   const std::size_t total = state.components.size();
   const bool openaera = parameters.analogy_mode == AnalogyMode::kOpenaera;
   if (comparison.kept.size() == total) return AnalogyVerdict::kFullMatch;
   const int counted = openaera ? comparison.matched : static_cast<int>(comparison.kept.size());
-  if (counted < (openaera ? kOpenaeraMinMatched : parameters.analogy_min_matched)) return AnalogyVerdict::kTooFewMatched;
+  if (counted < (openaera ? kOpenaeraMinMatched : parameters.analogy_min_matched))
+    return AnalogyVerdict::kTooFewMatched;
   if (!openaera && comparison.psi <= parameters.analogy_min_psi) return AnalogyVerdict::kNotFamiliar;
   if (!ObservedAboutGoal(comparison, goal)) return AnalogyVerdict::kNothingObserved;
   if (!BindsWhatIsPassedOn(state, requirement, comparison.kept)) return AnalogyVerdict::kFreeVariable;
@@ -188,8 +197,9 @@ std::optional<AnalogyVerdict> Judge(const Comparison& comparison, const Composit
 
 }  // namespace
 
-ComponentStatus StatusOf(const FactPattern& component, const KnowledgeBase& knowledge, const Situation& situation,
-                         const Bindings& bindings, const CanBringAbout& can_bring_about, std::size_t* found) {
+ComponentStatus StatusOf(const FactPattern& component, const KnowledgeBase& knowledge,
+                         const Situation& situation, const Bindings& bindings,
+                         const CanBringAbout& can_bring_about, std::size_t* found) {
   const std::size_t match = situation.FindMatch(component.payload, component.positive, bindings);
   if (match != Situation::npos) {
     if (found) *found = match;
@@ -212,9 +222,10 @@ ComponentStatus StatusOf(const FactPattern& component, const KnowledgeBase& know
   return ComponentStatus::kAchievable;
 }
 
-bool KeepsToIndividuals(const FactPattern& component, const Situation& situation, const Bindings& goal_bindings,
-                        const Bindings& chosen) {
-  if (situation.FindMatch(component.payload, component.positive, goal_bindings) == Situation::npos) return true;
+bool KeepsToIndividuals(const FactPattern& component, const Situation& situation,
+                        const Bindings& goal_bindings, const Bindings& chosen) {
+  if (situation.FindMatch(component.payload, component.positive, goal_bindings) == Situation::npos)
+    return true;
   Bindings individuals = goal_bindings;
   for (std::size_t v = 0; v < chosen.size(); ++v) {
     const Term* value = chosen.Find(static_cast<int>(v));
@@ -224,29 +235,31 @@ bool KeepsToIndividuals(const FactPattern& component, const Situation& situation
 }
 
 Comparison Compare(const KnowledgeBase& knowledge, const ModelRecord& requirement, const Situation& situation,
-                   const std::vector<SituationFact>& predicted, const Bindings& bindings, const Term& goal, const CanBringAbout& can_bring_about,
-                   const ReasonerParameters& parameters) {
+                   const std::vector<SituationFact>& predicted, const Bindings& bindings, const Term& goal,
+                   const CanBringAbout& can_bring_about, const ReasonerParameters& parameters) {
   const CompositeState& state = knowledge.Find(RequiredState(requirement.model))->state;
   std::optional<Comparison> best;
-  // OpenAERA tries the first partial match only: what the goal binds, and nothing else; and what could be brought about
-  // is no part of its comparison.
+  // OpenAERA tries the first partial match only: what the goal binds, and nothing else; and what could be
+  // brought about is no part of its comparison.
   const bool openaera = parameters.analogy_mode == AnalogyMode::kOpenaera;
   const CanBringAbout nothing = [](const Term&) { return false; };
   const CanBringAbout& could = openaera ? nothing : can_bring_about;
   const std::vector<Bindings> assignments =
       openaera ? std::vector<Bindings>{bindings} : Assignments(state, situation, bindings);
   for (const Bindings& assignment : assignments) {
-    auto comparison = CompareUnder(knowledge, requirement, state, situation, predicted, bindings, assignment, could);
+    auto comparison =
+        CompareUnder(knowledge, requirement, state, situation, predicted, bindings, assignment, could);
     if (!comparison) continue;
-    // Something must be missing, or there is nothing to generalise; then the most that is seen counts, before what
-    // could be brought about.
+    // Something must be missing, or there is nothing to generalise; then the most that is seen counts, before
+    // what could be brought about.
     const auto rank = [&](const Comparison& c) {
       const bool partial = c.kept.size() < state.components.size();
       return std::tuple(partial, c.matched, c.achievable);
     };
     if (!best || rank(*comparison) > rank(*best)) best = std::move(comparison);
   }
-  if (!best) best = CompareUnder(knowledge, requirement, state, situation, predicted, bindings, bindings, could);
+  if (!best)
+    best = CompareUnder(knowledge, requirement, state, situation, predicted, bindings, bindings, could);
   best->rejection = Judge(*best, state, requirement.model, goal, parameters);
   best->confidence = parameters.analogy_mode == AnalogyMode::kOpenaera
                          ? kOpenaeraConfidence
@@ -254,7 +267,8 @@ Comparison Compare(const KnowledgeBase& knowledge, const ModelRecord& requiremen
   return std::move(*best);
 }
 
-Hypothesis MakeHypothesis(const CompositeState& source, const Model& requirement, const std::vector<std::size_t>& kept) {
+Hypothesis MakeHypothesis(const CompositeState& source, const Model& requirement,
+                          const std::vector<std::size_t>& kept) {
   Hypothesis hypothesis;
   const auto name_of = [](const std::vector<std::string>& names, int variable) {
     const auto i = static_cast<std::size_t>(variable);
@@ -265,7 +279,8 @@ Hypothesis MakeHypothesis(const CompositeState& source, const Model& requirement
   const auto renumber_state = [&](const Term& term) {
     return Rewritten(term, [&](const Term& part) -> std::optional<Term> {
       if (!part.is(TermKind::kVariable)) return std::nullopt;
-      const auto [it, is_new] = state_variable.try_emplace(part.variable(), static_cast<int>(state_variable.size()));
+      const auto [it, is_new] =
+          state_variable.try_emplace(part.variable(), static_cast<int>(state_variable.size()));
       if (is_new) hypothesis.state.variable_names.push_back(name_of(source.variable_names, part.variable()));
       return Term::Variable(it->second);
     });
@@ -279,7 +294,8 @@ Hypothesis MakeHypothesis(const CompositeState& source, const Model& requirement
   }
   for (const Guard& guard : source.guards) {
     bool still_meant = true;
-    ForEachVariable(guard.expression, [&](int v) { still_meant = still_meant && state_variable.contains(v); });
+    ForEachVariable(guard.expression,
+                    [&](int v) { still_meant = still_meant && state_variable.contains(v); });
     if (guard.target) still_meant = still_meant && state_variable.contains(*guard.target);
     if (!still_meant) continue;
     Guard copy;
@@ -306,7 +322,8 @@ Hypothesis MakeHypothesis(const CompositeState& source, const Model& requirement
       if (!part.is(TermKind::kVariable)) return std::nullopt;
       const auto [it, is_new] =
           requirement_variable.try_emplace(part.variable(), static_cast<int>(requirement_variable.size()));
-      if (is_new) hypothesis.requirement.variable_names.push_back(name_of(requirement.variable_names, part.variable()));
+      if (is_new)
+        hypothesis.requirement.variable_names.push_back(name_of(requirement.variable_names, part.variable()));
       return Term::Variable(it->second);
     });
   };
@@ -320,14 +337,14 @@ Hypothesis MakeHypothesis(const CompositeState& source, const Model& requirement
   model.rhs.after = renumber(requirement.rhs.after);
   model.rhs.before = renumber(requirement.rhs.before);
   for (const Guard& guard : requirement.forward) {
-    model.forward.push_back({guard.target ? std::optional(renumber(Term::Variable(*guard.target)).variable())
-                                          : std::nullopt,
-                             renumber(guard.expression)});
+    model.forward.push_back(
+        {guard.target ? std::optional(renumber(Term::Variable(*guard.target)).variable()) : std::nullopt,
+         renumber(guard.expression)});
   }
   for (const Guard& guard : requirement.backward) {
-    model.backward.push_back({guard.target ? std::optional(renumber(Term::Variable(*guard.target)).variable())
-                                           : std::nullopt,
-                              renumber(guard.expression)});
+    model.backward.push_back(
+        {guard.target ? std::optional(renumber(Term::Variable(*guard.target)).variable()) : std::nullopt,
+         renumber(guard.expression)});
   }
   int last = -1;
   for (const auto& [old_variable, new_variable] : state_variable) last = std::max(last, old_variable);

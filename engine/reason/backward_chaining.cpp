@@ -114,6 +114,7 @@ std::vector<Plan> BackwardChainer::Achieve(const Quest& quest, const Frame& from
   std::stable_sort(plans.begin(), plans.end(), [](const Plan& a, const Plan& b) {
     if (a.vetoed != b.vetoed) return !a.vetoed;
     if (a.score != b.score) return a.score > b.score;
+    if (a.familiar != b.familiar) return a.familiar > b.familiar;
     return a.steps.size() < b.steps.size();
   });
   if (plans.size() > kMaxPlansPerGoal) plans.erase(plans.begin() + kMaxPlansPerGoal, plans.end());
@@ -190,10 +191,14 @@ std::vector<BackwardChainer::Way> BackwardChainer::Enable(const ModelRecord& rec
   const Term imdl = Closed(InstancePayload(model, bindings));
   bool needs_requirement = false;
   std::optional<GoalEntry> imdl_goal;
-  for (const ModelId id : knowledge_.RequirementsOf(model.id)) {
+  const std::vector<ModelId>& known = knowledge_.RequirementsOf(model.id);
+  needs_requirement = std::any_of(known.begin(), known.end(), [&](ModelId id) {
+    const ModelRecord* requirement = knowledge_.Find(id);
+    return IsRunning(requirement) && requirement->model.rhs.positive;
+  });
+  for (const ModelId id : ConditionsFor(model, bindings)) {
     const ModelRecord* requirement = knowledge_.Find(id);
     if (!IsRunning(requirement) || !requirement->model.rhs.positive) continue;
-    needs_requirement = true;
     Bindings required;
     if (!Match(requirement->model.rhs.payload, imdl, required)) continue;
     Quest through = quest;
@@ -211,6 +216,27 @@ std::vector<BackwardChainer::Way> BackwardChainer::Enable(const ModelRecord& rec
     ways.push_back(std::move(way));
   }
   return ways;
+}
+
+// The requirement models worth a look: if the goal names all that the model's right side speaks about, those
+// that ask of it nothing that is known not to be so.
+std::vector<ModelId> BackwardChainer::ConditionsFor(const Model& model, const Bindings& bindings) const {
+  // Comparisons with conditions that are not familiar enough, so that one sees why not.
+  constexpr std::size_t kNearMisses = 4;
+  std::vector<Term> individuals;
+  bool named = true;
+  ForEachVariable(model.rhs.payload, [&](int variable) {
+    const Term* value = bindings.Find(variable);
+    if (!value) {
+      named = false;
+    } else if (value->is(TermKind::kEntity) &&
+               std::find(individuals.begin(), individuals.end(), *value) == individuals.end()) {
+      individuals.push_back(*value);
+    }
+  });
+  if (!named) return knowledge_.RequirementsOf(model.id);
+  return context_.retrieval.Candidates(knowledge_, model.id, individuals, context_.present,
+                                       context_.parameters, kNearMisses);
 }
 
 void BackwardChainer::EnableThrough(const ModelRecord& requirement, const ModelRecord& record,
@@ -273,6 +299,7 @@ void BackwardChainer::EnableByAnalogy(const ModelRecord& requirement, const Comp
     if (auto way = Complete(hypothesis.requirement, confidence, one, instance, record.model, bindings)) {
       way->requirement = requirement.model.id;
       way->hypothesis = candidate;
+      way->plan.familiar += static_cast<int>(hypothesis.state.components.size());
       ways->push_back(std::move(*way));
     }
   }
@@ -299,10 +326,11 @@ bool BackwardChainer::Allow(const ModelRecord& requirement, const CompositeState
     plan.steps.insert(plan.steps.end(), way.plan.steps.begin(), way.plan.steps.end());
     plan.score *= way.plan.score;
     plan.vetoed = plan.vetoed || way.plan.vetoed;
+    plan.familiar += way.plan.familiar;
     plan.end = way.plan.end;
     if (!way.plan.steps.empty()) {
       plan.end->FindParts(knowledge_, state);
-      const auto matches = JointMatches(state, plan.end->situation(), bindings, 1);
+      const auto matches = JointMatches(state, plan.end->situation(), bindings, {1});
       if (matches.empty()) continue;
       held->bindings = matches.front().bindings;
     }
@@ -341,7 +369,7 @@ std::optional<BackwardChainer::Way> BackwardChainer::Complete(const Model& requi
 bool BackwardChainer::Hold(const CompositeState& state, const Bindings& bindings, const Quest& quest,
                            const Frame& from, std::vector<Held>* held) {
   from->FindParts(knowledge_, state);
-  for (JointMatch& match : JointMatches(state, from->situation(), bindings, kMaxArrangements)) {
+  for (JointMatch& match : JointMatches(state, from->situation(), bindings, {kMaxArrangements})) {
     Held one;
     one.plan.end = from;
     one.bindings = std::move(match.bindings);
@@ -405,7 +433,7 @@ bool BackwardChainer::BringAbout(const CompositeState& state, const FlatState& f
       // What was bound by facts may have changed on the way: join anew in the situation reached.
       plan.end->FindParts(knowledge_, state);
       for (JointMatch& match :
-           JointMatches(state, plan.end->situation(), arrangement.bindings, kMaxArrangements)) {
+           JointMatches(state, plan.end->situation(), arrangement.bindings, {kMaxArrangements})) {
         Held one;
         one.plan = plan;
         one.bindings = std::move(match.bindings);
@@ -442,6 +470,7 @@ std::vector<Plan> BackwardChainer::InOrder(const std::vector<Fact>& wanted, cons
         both.steps.insert(both.steps.end(), more.steps.begin(), more.steps.end());
         both.score *= more.score;
         both.vetoed = both.vetoed || more.vetoed;
+        both.familiar += more.familiar;
         both.end = std::move(more.end);
         extended.push_back(std::move(both));
         if (extended.size() >= kMaxAlternatives) break;
@@ -497,7 +526,8 @@ std::vector<BackwardChainer::Firing> BackwardChainer::FireOnFact(const ModelReco
       there.plan.end->FindInstances(knowledge_, state->state);
     }
     const Situation& situation = there.plan.end->situation();
-    const std::vector<std::size_t> candidates = situation.Candidates(lhs.payload, bindings);
+    const auto found = situation.Candidates(lhs.payload, bindings);
+    const std::vector<std::size_t> candidates(found.begin(), found.end());
     for (const std::size_t i : candidates) {
       Bindings matched = bindings;
       Fact fact = situation[i].fact;
@@ -540,6 +570,7 @@ std::vector<BackwardChainer::Firing> BackwardChainer::FireOnFact(const ModelReco
     there.plan.steps.insert(there.plan.steps.end(), one.plan.steps.begin(), one.plan.steps.end());
     there.plan.score *= one.plan.score;
     there.plan.vetoed = there.plan.vetoed || one.plan.vetoed;
+    there.plan.familiar += one.plan.familiar;
     there.plan.end = one.plan.end;
     // What allows the model to fire must still hold there.
     if (there.required && !StillAllowed(record.model, there)) continue;
@@ -582,6 +613,7 @@ std::vector<BackwardChainer::Firing> BackwardChainer::FireOnInstance(const Model
     plan.steps.insert(plan.steps.end(), there.plan.steps.begin(), there.plan.steps.end());
     plan.score *= there.plan.score;
     plan.vetoed = plan.vetoed || there.plan.vetoed;
+    plan.familiar += there.plan.familiar;
     plan.end = there.plan.end;
     const bool moved = !there.plan.steps.empty();
     there.plan = std::move(plan);

@@ -86,6 +86,7 @@ class BackwardChainer {
                       const Frame& from, std::vector<Plan>* plans);
   std::vector<Way> Enable(const ModelRecord& record, const Bindings& bindings, const Quest& quest,
                           const Frame& from);
+  std::vector<ModelId> ConditionsFor(const Model& model, const Bindings& bindings) const;
   void EnableThrough(const ModelRecord& requirement, const ModelRecord& record, const Bindings& bindings,
                      const Bindings& required, const Quest& quest, const Frame& from, std::vector<Way>* ways);
   void EnableByAnalogy(const ModelRecord& requirement, const CompositeStateRecord& required,

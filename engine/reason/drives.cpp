@@ -119,7 +119,8 @@ std::optional<Wish> Drives::Decide(const Situation& situation, const OfferKnowle
     }
     task.prohibitions = prohibitions;
     task.now = now;
-    decisions.emplace_back(drive, PlanFor(task, parameters_, period_, situation, offer, &journal_));
+    decisions.emplace_back(drive,
+                           PlanFor(task, parameters_, period_, situation, &retrieval_, offer, &journal_));
     const Decision& decision = decisions.back().second;
     prohibitions.insert(prohibitions.end(), decision.prohibitions.begin(), decision.prohibitions.end());
     if (decision.command && !decision.command->is(TermKind::kNil)) break;

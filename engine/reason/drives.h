@@ -60,6 +60,7 @@ class Drives {
   const ReasonerParameters& parameters_;
   Duration period_;
   Journal& journal_;
+  Retrieval retrieval_;
   std::vector<Drive> open_;  // in the order given
   std::map<GoalId, bool> closed_;
   GoalId last_given_;

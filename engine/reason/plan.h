@@ -7,6 +7,7 @@
 #include "engine/reason/goal_log.h"
 #include "engine/reason/imagination.h"
 #include "engine/reason/parameters.h"
+#include "engine/reason/retrieval.h"
 
 namespace aerascope {
 
@@ -21,6 +22,7 @@ struct Plan {
   std::vector<Step> steps;
   double score = 1;     // product of the confidences of all models along it (semantics 6.2)
   bool vetoed = false;  // a strong requirement model stands against one of the steps
+  int familiar = 0;     // components kept by its hypotheses, in all
   // OpenAERA's ranking looks at the last model only: its confidence, and how long before the goal it must
   // fire.
   double solution_confidence = 1;
@@ -35,6 +37,7 @@ struct PlanningContext {
   const Situation& present;
   const KnowledgeBase& knowledge;
   Time now;
+  Retrieval& retrieval;
 };
 
 // Does the fact bring the target about: same polarity and matching payload, or for an anti-fact another value

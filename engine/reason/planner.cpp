@@ -13,10 +13,10 @@ constexpr std::size_t kMaxSimulations = 8;
 class Planner {
  public:
   Planner(const PlanningTask& task, const ReasonerParameters& parameters, Duration period,
-          const Situation& situation, const OfferKnowledge& offer, Journal* journal)
+          const Situation& situation, Retrieval* retrieval, const OfferKnowledge& offer, Journal* journal)
       : task_(task),
         journal_(*journal),
-        context_{parameters, period, situation, journal->knowledge(), task.now},
+        context_{parameters, period, situation, journal->knowledge(), task.now, *retrieval},
         goals_(journal, task.now),
         hypotheses_(context_, offer, journal),
         chainer_(context_, &goals_, &hypotheses_) {}
@@ -178,8 +178,9 @@ class Planner {
 }  // namespace
 
 Decision PlanFor(const PlanningTask& task, const ReasonerParameters& parameters, Duration period,
-                 const Situation& situation, const OfferKnowledge& offer, Journal* journal) {
-  return Planner(task, parameters, period, situation, offer, journal).Run();
+                 const Situation& situation, Retrieval* retrieval, const OfferKnowledge& offer,
+                 Journal* journal) {
+  return Planner(task, parameters, period, situation, retrieval, offer, journal).Run();
 }
 
 }  // namespace aerascope

@@ -48,6 +48,7 @@ struct Decision {
 
 // `situation` is the present one; `offer` may extend it.
 Decision PlanFor(const PlanningTask& task, const ReasonerParameters& parameters, Duration period,
-                 const Situation& situation, const OfferKnowledge& offer, Journal* journal);
+                 const Situation& situation, Retrieval* retrieval, const OfferKnowledge& offer,
+                 Journal* journal);
 
 }  // namespace aerascope

@@ -97,8 +97,8 @@ class Simulator {
     if (!only_at_once && waiting && IsIcst(waiting->model.lhs.payload)) {
       if (const auto* state = knowledge_.Find(waiting->model.lhs.payload[0].composite_state())) {
         frame_.FindInstances(knowledge_, state->state);
-        const std::vector<std::size_t> candidates =
-            frame_.situation().Candidates(waiting->model.lhs.payload, {});
+        const auto found = frame_.situation().Candidates(waiting->model.lhs.payload, {});
+        const std::vector<std::size_t> candidates(found.begin(), found.end());
         for (const std::size_t i : candidates) {
           const SituationFact fact = frame_.situation()[i];
           fired = FireOn(fact.fact, fact.event, expected, effects) || fired;
@@ -238,7 +238,7 @@ class Simulator {
     if (!state) return;
     frame_.FindInstances(knowledge_, state->state);
     std::set<std::size_t> facts;
-    const auto matches = JointMatches(state->state, frame_.situation(), {}, 64);
+    const auto matches = JointMatches(state->state, frame_.situation(), {}, {64});
     for (const JointMatch& match : matches) {
       // Of several ways the condition holds, the one for what is wanted.
       if (matches.size() > 1 && !SharesEntity(InstancePayload(state->state, match.bindings))) continue;

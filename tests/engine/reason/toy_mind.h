@@ -53,6 +53,7 @@ class ToyMind {
 
   void Know(const std::vector<Term>& properties, const std::vector<CompositeState>& states,
             const std::vector<SeedModelDefinition>& models);
+  void StartAt(std::int64_t frame) { frame_ = frame - 1; }
   // The next frame, with these facts for its duration.
   void See(const std::vector<Term>& payloads);
   // A drive that is open for so many frames from now.
