@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "engine/base/text.h"
 #include "engine/event/apply.h"
 
 namespace aerascope {
@@ -79,6 +80,43 @@ std::vector<std::int64_t> RandomOrder(std::map<std::int64_t, std::set<std::int64
 }
 
 }  // namespace
+
+std::string Everything(const KnowledgeBase& knowledge) {
+  std::string text = ToText(knowledge.now()) + " " + std::to_string(knowledge.frame()) + "\n";
+  for (const Term& symbol : knowledge.symbols()) text += ToText(symbol) + "\n";
+  for (const auto& [id, record] : knowledge.composite_states()) {
+    text += ToText(record.state) + record.canonical.text + ToText(record.canonical.hash) + " " +
+            std::string(EnumName(record.origin)) + " from " + std::to_string(record.derived_from.value) +
+            " by #" + std::to_string(record.event.value) + ", found as " +
+            std::to_string(knowledge.FindState(record.canonical.hash).value) + "\n";
+  }
+  for (const auto& [id, record] : knowledge.models()) {
+    text += ToText(record.model) + record.canonical.text + ToText(record.canonical.hash) + " ";
+    AppendExactNumber(record.evidence.positive, &text);
+    text += "/";
+    AppendExactNumber(record.evidence.total, &text);
+    text += (record.strong ? " strong " : " weak ") + std::string(EnumName(record.state)) + " " +
+            std::string(EnumName(record.origin)) + " from " + std::to_string(record.derived_from.value) +
+            " by #" + std::to_string(record.event.value) + ", found as " +
+            std::to_string(knowledge.FindModel(record.canonical.hash).value) + "; requirements:";
+    for (const ModelId requirement : knowledge.RequirementsOf(id))
+      text += " " + std::to_string(requirement.value);
+    text += "\n";
+  }
+  for (const auto& [id, record] : knowledge.facts()) {
+    text += std::to_string(id.value) + " " + ToText(record.fact) + " " +
+            std::string(EnumName(record.source)) + " by #" + std::to_string(record.event.value) + "\n";
+  }
+  for (const auto& [id, record] : knowledge.goals()) {
+    text += std::to_string(id.value) + " goal " + ToText(record.target) + " by #" +
+            std::to_string(record.event.value) + "\n";
+  }
+  for (const auto& [id, record] : knowledge.predictions()) {
+    text += std::to_string(id.value) + " prediction of mdl_" + std::to_string(record.model.value) + " " +
+            ToText(record.target) + " by #" + std::to_string(record.event.value) + "\n";
+  }
+  return text;
+}
 
 KnowledgeBase KnowledgeFrom(const std::vector<Event>& events) {
   KnowledgeBase knowledge;

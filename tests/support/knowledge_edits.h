@@ -1,13 +1,17 @@
-// Knowledge bases changed on purpose: the same content under other numbers and in another order, for laws
-// about identity.
+// Knowledge bases compared, and changed on purpose: the same content under other numbers and in another
+// order, for laws about identity.
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "engine/event/event.h"
 #include "engine/kb/knowledge_base.h"
 
 namespace aerascope {
+
+// All that a knowledge base holds and what its indexes say, as text: equal texts, equal knowledge bases.
+std::string Everything(const KnowledgeBase& knowledge);
 
 // The fold of the events.
 KnowledgeBase KnowledgeFrom(const std::vector<Event>& events);

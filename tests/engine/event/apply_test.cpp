@@ -7,29 +7,10 @@
 
 #include "tests/engine/event/any_event.h"
 #include "tests/engine/kb/build_terms.h"
+#include "tests/support/knowledge_edits.h"
 
 namespace aerascope {
 namespace {
-
-// All a knowledge base holds, as text.
-std::string Everything(const KnowledgeBase& kb) {
-  std::string text = ToText(kb.now()) + " " + std::to_string(kb.frame()) + "\n";
-  for (const Term& symbol : kb.symbols()) text += ToText(symbol) + "\n";
-  for (const auto& [id, record] : kb.composite_states()) {
-    text += ToText(record.state) + record.canonical.text + ToText(record.canonical.hash) + "\n";
-  }
-  for (const auto& [id, record] : kb.models()) {
-    text += ToText(record.model) + record.canonical.text + std::to_string(record.evidence.positive) + "/" +
-            std::to_string(record.evidence.total) + (record.strong ? " strong " : " weak ") +
-            std::string(EnumName(record.state)) + "\n";
-    for (const ModelId requirement : kb.RequirementsOf(id)) text += std::to_string(requirement.value) + " ";
-  }
-  for (const auto& [id, record] : kb.facts()) text += std::to_string(id.value) + ToText(record.fact) + "\n";
-  for (const auto& [id, record] : kb.goals()) text += std::to_string(id.value) + ToText(record.target) + "\n";
-  for (const auto& [id, record] : kb.predictions())
-    text += std::to_string(id.value) + ToText(record.target) + "\n";
-  return text;
-}
 
 Event At(std::int64_t id, std::int64_t ms, EventBody body) {
   return {{id}, {ms * 1000}, ms / 100, {}, {}, std::move(body)};
