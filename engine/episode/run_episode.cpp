@@ -70,7 +70,8 @@ class EpisodeLoop {
     }
     outcome_.frames = std::min(frame_, scenario_.max_frames) + 1;
     outcome_.drives = static_cast<std::int64_t>(scenario_.drives.size());
-    journal.Write(FrameInterval().after,
+    // A drive that is given when it is reached already is settled a little after the start of the frame.
+    journal.Write(std::max(FrameInterval().after, reasoner_.knowledge().now()),
                   EpisodeEnded{outcome_.frames, outcome_.drives_reached, outcome_.drives});
     outcome_.events = counting_.count();
     return outcome_;
