@@ -78,6 +78,8 @@ class Arranger {
     return std::move(found_);
   }
 
+  std::size_t steps() const { return steps_; }
+
  private:
   // Each step looks at one fact or leaves one part; steps are counted, so the work is bounded as well as the
   // result.
@@ -120,8 +122,12 @@ FlatState Flatten(const KnowledgeBase& knowledge, const CompositeState& state) {
 }
 
 std::vector<Arrangement> Arrange(const FlatState& state, const Situation& situation, const Bindings& bindings,
-                                 std::size_t count, const MayBeLeft& may_be_left, std::size_t limit) {
-  return Arranger(state, situation, may_be_left, limit).Run(bindings, count);
+                                 std::size_t count, const MayBeLeft& may_be_left, std::size_t limit,
+                                 std::size_t* steps) {
+  Arranger arranger(state, situation, may_be_left, limit);
+  std::vector<Arrangement> arrangements = arranger.Run(bindings, count);
+  *steps += arranger.steps();
+  return arrangements;
 }
 
 }  // namespace aerascope

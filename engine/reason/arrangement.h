@@ -29,8 +29,10 @@ struct Arrangement {
 // May this part be left to be brought about, given what is bound?
 using MayBeLeft = std::function<bool(const FactPattern& part)>;
 
-// The arrangements that leave exactly `count` parts, in a fixed order; at most `limit`.
+// The arrangements that leave exactly `count` parts, in a fixed order; at most `limit`. `steps` is increased
+// by the facts looked at and parts left on the way.
 std::vector<Arrangement> Arrange(const FlatState& state, const Situation& situation, const Bindings& bindings,
-                                 std::size_t count, const MayBeLeft& may_be_left, std::size_t limit);
+                                 std::size_t count, const MayBeLeft& may_be_left, std::size_t limit,
+                                 std::size_t* steps);
 
 }  // namespace aerascope

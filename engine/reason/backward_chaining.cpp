@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t kMaxPlansPerGoal = 16;
 constexpr std::size_t kMaxArrangements = 256;
 constexpr int kMaxWait = 32;
+// Small steps of arranging that count as one node of the budget.
+constexpr std::size_t kStepsPerNode = 16;
 // Ways to one sub-goal that are carried on to the next.
 constexpr std::size_t kMaxAlternatives = 3;
 
@@ -393,8 +395,11 @@ bool BackwardChainer::Hold(const CompositeState& state, const Bindings& bindings
   // The fewest sub-goals first; more only if these lead nowhere.
   bool all_unbound = true;
   for (std::size_t count = 1; count <= flat.parts.size() && held->empty(); ++count) {
-    for (const Arrangement& arrangement :
-         Arrange(flat, from->situation(), bindings, count, may_be_left, kMaxArrangements)) {
+    std::size_t steps = 0;
+    const std::vector<Arrangement> arrangements =
+        Arrange(flat, from->situation(), bindings, count, may_be_left, kMaxArrangements, &steps);
+    nodes_ += static_cast<int>(steps / kStepsPerNode);
+    for (const Arrangement& arrangement : arrangements) {
       const bool keeps = std::all_of(arrangement.left.begin(), arrangement.left.end(), [&](std::size_t i) {
         return KeepsToIndividuals(flat.parts[i], from->situation(), bindings, arrangement.bindings);
       });
@@ -440,10 +445,27 @@ bool BackwardChainer::BringAbout(const CompositeState& state, const FlatState& f
         one.confidence = match.confidence;
         held->push_back(std::move(one));
       }
-      if (!held->empty()) return true;
+      if (held->empty()) continue;
+      SkipWhatHolds(flat, arrangement, quest, *from);
+      return true;
     }
   } while (order.size() <= kMaxPermuted && std::next_permutation(order.begin(), order.end()) && Spend(quest));
   return true;
+}
+
+// Of a condition that is pursued, the parts for which nothing need be done.
+void BackwardChainer::SkipWhatHolds(const FlatState& flat, const Arrangement& arrangement, const Quest& quest,
+                                    const ImaginedFrame& frame) {
+  for (std::size_t i = 0; i < flat.parts.size(); ++i) {
+    if (std::find(arrangement.left.begin(), arrangement.left.end(), i) != arrangement.left.end()) continue;
+    const Fact part{flat.parts[i].positive, Substitute(flat.parts[i].payload, arrangement.bindings),
+                    quest.target.interval, quest.target.confidence};
+    const std::size_t found = frame.situation().FindMatch(part.payload, part.positive, {});
+    if (found == Situation::npos) continue;
+    goals_.Skip(
+        quest.goal, part,
+        frame.situation()[found].permanent ? GoalSkipReason::kProperty : GoalSkipReason::kAlreadyHolds);
+  }
 }
 
 // Plans that bring about one thing after the other.

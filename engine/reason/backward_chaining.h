@@ -100,6 +100,8 @@ class BackwardChainer {
             std::vector<Held>* held);
   bool BringAbout(const CompositeState& state, const FlatState& flat, const Arrangement& arrangement,
                   const Quest& quest, const Frame& from, std::vector<Held>* held);
+  void SkipWhatHolds(const FlatState& flat, const Arrangement& arrangement, const Quest& quest,
+                     const ImaginedFrame& frame);
   std::vector<Plan> InOrder(const std::vector<Fact>& wanted, const Quest& quest, const Frame& from);
   std::vector<Firing> Fire(const ModelRecord& record, const Way& way, const Quest& quest, const Fact* wanted);
   std::vector<Firing> FireOnFact(const ModelRecord& record, const Way& way, const Quest& quest,

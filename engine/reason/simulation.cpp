@@ -232,6 +232,7 @@ class Simulator {
 
   // The facts that the step's condition rests on, if they hold on from the frame before.
   void LogPromotions(const Step& step) {
+    if (!journal_.Records<FactPromoted>() && !journal_.Records<PromotionDefeated>()) return;
     const ModelRecord* requirement = knowledge_.Find(step.requirement);
     const CompositeStateRecord* state =
         requirement ? knowledge_.Find(RequiredState(requirement->model)) : nullptr;
