@@ -41,46 +41,6 @@ std::string DotQuoted(std::string_view text) {
   return quoted + "\"";
 }
 
-std::string XmlText(std::string_view text) {
-  std::string escaped;
-  const std::string printable = PrintableLines(text);
-  for (std::size_t i = 0; i < printable.size(); ++i) {
-    switch (printable[i]) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&apos;";
-        break;
-      case '\n':
-        escaped += "&#10;";
-        break;
-      case '\xef':
-        // U+FFFE and U+FFFF are valid UTF-8 and not allowed in XML.
-        if (i + 2 < printable.size() && printable[i + 1] == '\xbf' &&
-            (printable[i + 2] == '\xbe' || printable[i + 2] == '\xbf')) {
-          escaped += printable[i + 2] == '\xbe' ? "\\u{fffe}" : "\\u{ffff}";
-          i += 2;
-        } else {
-          escaped += printable[i];
-        }
-        break;
-      default:
-        escaped += printable[i];
-    }
-  }
-  return escaped;
-}
-
 std::string MarkdownText(std::string_view text) {
   std::string escaped;
   for (const char c : Printable(text)) {

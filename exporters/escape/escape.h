@@ -13,9 +13,6 @@ namespace aerascope {
 // In double quotes, for DOT. A line feed becomes \l, which ends a line set to the left.
 std::string DotQuoted(std::string_view text);
 
-// For the content of an XML element or attribute; a line feed stays one.
-std::string XmlText(std::string_view text);
-
 // For one cell or line of Markdown: what would be markup is escaped.
 std::string MarkdownText(std::string_view text);
 

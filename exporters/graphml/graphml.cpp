@@ -4,6 +4,7 @@
 #include <optional>
 #include <ostream>
 
+#include "engine/base/markup.h"
 #include "engine/base/text.h"
 #include "exporters/escape/escape.h"
 
@@ -59,18 +60,18 @@ Status WriteGraphml(const ModelGraph& graph, std::ostream& out) {
   out << "  <key id=\"edge_kind\" for=\"edge\" attr.name=\"kind\" attr.type=\"string\"/>\n"
          "  <graph id=\"knowledge\" edgedefault=\"directed\">\n";
   for (const ModelGraphNode& node : graph.nodes) {
-    out << "    <node id=\"" << XmlText(node.id) << "\">\n";
+    out << "    <node id=\"" << EscapeMarkup(node.id) << "\">\n";
     for (const NodeAttribute& attribute : attributes) {
       const std::optional<std::string> value = attribute.value(node);
       if (value)
-        out << "      <data key=\"node_" << attribute.name << "\">" << XmlText(*value) << "</data>\n";
+        out << "      <data key=\"node_" << attribute.name << "\">" << EscapeMarkup(*value) << "</data>\n";
     }
     out << "    </node>\n";
   }
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const ModelGraphEdge& edge = graph.edges[i];
-    out << "    <edge id=\"e" << i + 1 << "\" source=\"" << XmlText(graph.nodes[edge.from].id)
-        << "\" target=\"" << XmlText(graph.nodes[edge.to].id) << "\">\n      <data key=\"edge_kind\">"
+    out << "    <edge id=\"e" << i + 1 << "\" source=\"" << EscapeMarkup(graph.nodes[edge.from].id)
+        << "\" target=\"" << EscapeMarkup(graph.nodes[edge.to].id) << "\">\n      <data key=\"edge_kind\">"
         << NameOf(edge.kind) << "</data>\n    </edge>\n";
   }
   out << "  </graph>\n</graphml>\n";

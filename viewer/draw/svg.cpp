@@ -3,51 +3,9 @@
 #include <cassert>
 #include <cmath>
 
-#include "engine/base/text.h"
+#include "engine/base/markup.h"
 
 namespace aerascope {
-namespace {
-
-// U+FFFE and U+FFFF are valid UTF-8 and still forbidden in XML.
-bool AtNonCharacter(std::string_view text) {
-  return text.size() >= 3 && text[0] == '\xEF' && text[1] == '\xBF' &&
-         (text[2] == '\xBE' || text[2] == '\xBF');
-}
-
-}  // namespace
-
-std::string EscapeXml(std::string_view text) {
-  const std::string printable = Printable(text);
-  std::string escaped;
-  escaped.reserve(printable.size());
-  for (std::size_t i = 0; i < printable.size(); ++i) {
-    switch (printable[i]) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        if (AtNonCharacter(std::string_view(printable).substr(i))) {
-          escaped += "\xEF\xBF\xBD";
-          i += 2;
-        } else {
-          escaped += printable[i];
-        }
-    }
-  }
-  return escaped;
-}
 
 std::string SvgNumber(double value) {
   if (!std::isfinite(value)) return "0";
@@ -69,7 +27,7 @@ void Svg::Begin(std::string_view element, const SvgAttributes& attributes) {
     content_ += ' ';
     content_ += attribute.name;
     content_ += "=\"";
-    content_ += EscapeXml(attribute.value);
+    content_ += EscapeMarkup(attribute.value);
     content_ += '"';
   }
 }
@@ -94,7 +52,7 @@ void Svg::Leaf(std::string_view element, const SvgAttributes& attributes) {
 void Svg::Words(std::string_view element, std::string_view text, const SvgAttributes& attributes) {
   Begin(element, attributes);
   content_ += '>';
-  content_ += EscapeXml(text);
+  content_ += EscapeMarkup(text);
   content_ += "</";
   content_ += element;
   content_ += ">\n";
@@ -120,9 +78,9 @@ void Svg::Text(double x, double y, const std::vector<TextRun>& runs, const TextS
   content_ += '>';
   for (const TextRun& run : runs) {
     if (run.classes.empty()) {
-      content_ += EscapeXml(run.text);
+      content_ += EscapeMarkup(run.text);
     } else {
-      content_ += "<tspan class=\"" + EscapeXml(run.classes) + "\">" + EscapeXml(run.text) + "</tspan>";
+      content_ += "<tspan class=\"" + EscapeMarkup(run.classes) + "\">" + EscapeMarkup(run.text) + "</tspan>";
     }
   }
   content_ += "</text>\n";

@@ -14,8 +14,6 @@
 
 namespace aerascope {
 
-// Text as XML content or attribute value.
-std::string EscapeXml(std::string_view text);
 // At most two decimals, "." as point, never "-0".
 std::string SvgNumber(double value);
 

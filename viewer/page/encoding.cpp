@@ -41,33 +41,6 @@ Result<std::string> Gzip(std::string_view bytes) {
   return packed;
 }
 
-std::string EscapeHtml(std::string_view text) {
-  std::string escaped;
-  escaped.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
 std::string BytesOfHex(std::string_view digits) {
   const auto value = [](char c) { return c <= '9' ? c - '0' : (c | 32) - 'a' + 10; };
   std::string bytes;

@@ -3,6 +3,7 @@
 #include <map>
 #include <string_view>
 
+#include "engine/base/markup.h"
 #include "engine/base/text.h"
 #include "viewer/page/embedded_page.inc"
 #include "viewer/page/encoding.h"
@@ -13,7 +14,7 @@ namespace {
 
 // A block of the page that a browser does not look into until the script asks for it.
 std::string InertBlock(const std::string& id, const std::string& mime, bool packed, std::string_view bytes) {
-  return "<script type=\"application/octet-stream\" id=\"" + id + "\" data-type=\"" + EscapeHtml(mime) +
+  return "<script type=\"application/octet-stream\" id=\"" + id + "\" data-type=\"" + EscapeMarkup(mime) +
          "\"" + (packed ? " data-packed=\"gzip\"" : "") + ">" + Base64(bytes) + "</script>\n";
 }
 
@@ -73,7 +74,7 @@ Result<Report> BuildReport(const Run& run, const ReportFrames& frames, const Rep
   auto packed = Gzip(ReportData(run, frames, images.names, options));
   if (!packed) return packed.error();
   const std::string data = InertBlock("report-data", "application/json", true, *packed);
-  const std::string title = EscapeHtml(ReportTitle(run));
+  const std::string title = EscapeMarkup(ReportTitle(run));
   const std::string policy = ContentPolicy();
   const std::string blocks = data + images.html;
 

@@ -19,8 +19,11 @@ std::string DocumentWith(std::string_view text) {
 }
 
 TEST(Svg, MarkupInTextStaysText) {
-  EXPECT_EQ(EscapeXml("</text><script>alert('x & \"y\"')</script>"),
-            "&lt;/text&gt;&lt;script&gt;alert(&#39;x &amp; &quot;y&quot;&#39;)&lt;/script&gt;");
+  Svg svg;
+  svg.Words("title", "</text><script>alert('x & \"y\"')</script>");
+  EXPECT_EQ(
+      svg.content(),
+      "<title>&lt;/text&gt;&lt;script&gt;alert(&#39;x &amp; &quot;y&quot;&#39;)&lt;/script&gt;</title>\n");
 }
 
 TEST(Svg, WhatXmlForbidsIsWrittenVisibly) {

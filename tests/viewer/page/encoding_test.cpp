@@ -38,10 +38,6 @@ TEST(Encoding, GzipGivesBackWhatWentInAndTheSameBytesEachTime) {
   EXPECT_EQ(Gunzip(*Gzip("")), "");
 }
 
-TEST(Encoding, MarkupIsEscaped) {
-  EXPECT_EQ(EscapeHtml("<a b=\"c\">'&"), "&lt;a b=&quot;c&quot;&gt;&#39;&amp;");
-}
-
 TEST(Encoding, HexDigitsBecomeBytes) {
   EXPECT_EQ(BytesOfHex("00ffAb"), std::string("\x00\xff\xab", 3));
 }
