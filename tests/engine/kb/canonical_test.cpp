@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
 
 #include "engine/kb/knowledge_base.h"
 #include "tests/engine/event/any_event.h"
 #include "tests/engine/kb/build_terms.h"
+#include "tests/support/any_knowledge.h"
+#include "tests/support/knowledge_edits.h"
+#include "tests/support/law.h"
 
 namespace aerascope {
 namespace {
@@ -105,7 +109,7 @@ CompositeState AnyState(AnyEvents& any) {
 constexpr int kVariablesOfAnyState = 8;
 
 TEST(CanonicalForm, DoesNotDependOnOrderNumbersAndNames) {
-  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(Holds(2000, [](std::uint64_t seed) {
     AnyEvents any(seed);
     std::mt19937_64 random(seed);
     Library library;
@@ -120,7 +124,7 @@ TEST(CanonicalForm, DoesNotDependOnOrderNumbersAndNames) {
 }
 
 TEST(CanonicalForm, OfAModelDoesNotDependOnTheOrderOfTheConditionItRefersTo) {
-  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(Holds(2000, [](std::uint64_t seed) {
     AnyEvents any(seed);
     std::mt19937_64 random(seed);
     Library library;
@@ -145,6 +149,35 @@ TEST(CanonicalForm, OfAModelDoesNotDependOnTheOrderOfTheConditionItRefersTo) {
       library.Add(variant.state);
       RC_ASSERT(library.Add(model_on(variant.state, variant.numbers, 501 + i)).text == form.text);
     }
+  }));
+}
+
+// What is known, by content: each piece of knowledge as often as it is there.
+std::multiset<std::string> ContentOf(const KnowledgeBase& knowledge) {
+  std::multiset<std::string> content;
+  for (const auto& [id, record] : knowledge.composite_states())
+    content.insert("cst " + ToText(record.canonical.hash));
+  for (const auto& [id, record] : knowledge.models()) content.insert("mdl " + ToText(record.canonical.hash));
+  return content;
+}
+
+// Own: models of every kind, requirements of requirements and nested conditions included.
+TEST(CanonicalForm, OfAWholeKnowledgeBaseDoesNotDependOnNumbersOrderAndNames) {
+  EXPECT_TRUE(Holds(2000, [](std::uint64_t seed) {
+    const Result<SeedKnowledge> known = Normalised(AnyKnowledge(seed));
+    RC_ASSERT(known.ok());
+    KnowledgeBase knowledge;
+    for (const SeedCompositeState& item : known->composite_states) {
+      CompositeStateRecord record;
+      record.state = item.state;
+      knowledge.AddCompositeState(std::move(record));
+    }
+    for (const SeedModel& item : known->models) {
+      ModelRecord record;
+      record.model = item.model;
+      knowledge.AddModel(std::move(record));
+    }
+    RC_ASSERT(ContentOf(Renumbered(knowledge, seed)) == ContentOf(knowledge));
   }));
 }
 
@@ -209,7 +242,7 @@ TEST(CanonicalForm, HugeConditionsTakeBoundedTime) {
 }
 
 TEST(CanonicalForm, OfAModelDoesNotDependOnNumbers) {
-  EXPECT_TRUE(rc::check([](std::uint64_t seed) {
+  EXPECT_TRUE(Holds(2000, [](std::uint64_t seed) {
     AnyEvents any(seed);
     std::mt19937_64 random(seed);
     const Model model = any.AnyBody<ModelCreated>().model;
