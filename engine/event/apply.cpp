@@ -34,9 +34,12 @@ void Apply(const Event& event, KnowledgeBase* knowledge_base) {
                                        e.evidence,
                                        e.strong,
                                        ModelState::kActive,
+                                       {},
                                        {}});
                         },
-                        [&](const EvidenceUpdated& e) { kb.SetEvidence(e.model, e.after, e.strong_after); },
+                        [&](const EvidenceUpdated& e) {
+                          kb.SetEvidence(e.model, e.after, e.strong_after, event.id);
+                        },
                         [&](const ModelStateChanged& e) { kb.SetState(e.model, e.after); },
                         [&](const PredictionMade& e) {
                           kb.OpenPrediction({e.prediction, e.model, e.requirements, e.target, event.id});

@@ -843,6 +843,7 @@ struct FrameCounted {
   std::int64_t predictions = 0;
   std::int64_t models = 0;
   std::int64_t matches = 0;
+  std::int64_t cut = 0;
   static constexpr std::string_view kName = "FrameCounted";
   static constexpr std::string_view kMeaning = "How much the forward chaining of a frame had to do.";
   static constexpr auto Fields() {
@@ -851,7 +852,8 @@ struct FrameCounted {
                       Field{"requirements", "statements of requirement models", &FrameCounted::requirements},
                       Field{"predictions", "predictions still open", &FrameCounted::predictions},
                       Field{"models", "models that are not deleted", &FrameCounted::models},
-                      Field{"matches", "patterns compared with facts", &FrameCounted::matches}};
+                      Field{"matches", "patterns compared with facts", &FrameCounted::matches},
+        Field{"cut", "composite states with more instances than are looked for", &FrameCounted::cut}};
   }
 };
 

@@ -1,5 +1,7 @@
 // Composite states and models: what their instances expose, and their definitions as text and as terms.
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <set>
 
 #include "engine/base/text.h"
@@ -9,23 +11,52 @@
 namespace aerascope {
 namespace {
 
-void CollectVariables(const FactPattern& pattern, std::set<int>* variables) {
-  const auto add = [&](int v) { variables->insert(v); };
-  ForEachVariable(pattern.payload, add);
-  ForEachVariable(pattern.after, add);
-  ForEachVariable(pattern.before, add);
-}
-
-void CollectVariables(const std::vector<Guard>& guards, std::set<int>* variables) {
-  for (const Guard& guard : guards) {
-    if (guard.target) variables->insert(*guard.target);
-    ForEachVariable(guard.expression, [&](int v) { variables->insert(v); });
+// Variables in ascending order. Numbers are small: the first 64 are bits.
+class VariableSet {
+ public:
+  void Add(int variable) {
+    if (variable < 64) {
+      few_ |= std::uint64_t{1} << variable;
+    } else {
+      many_.insert(variable);
+    }
   }
-}
+  void Add(const Term& term) {
+    ForEachVariable(term, [&](int v) { Add(v); });
+  }
+  void Add(const FactPattern& pattern) {
+    Add(pattern.payload);
+    Add(pattern.after);
+    Add(pattern.before);
+  }
+  void Add(const std::vector<Guard>& guards) {
+    for (const Guard& guard : guards) {
+      if (guard.target) Add(*guard.target);
+      Add(guard.expression);
+    }
+  }
+  void Erase(const Term& term) {
+    if (term.is(TermKind::kVariable)) Erase(term.variable());
+  }
+  void Erase(int variable) {
+    if (variable < 64) {
+      few_ &= ~(std::uint64_t{1} << variable);
+    } else {
+      many_.erase(variable);
+    }
+  }
+  std::vector<int> Ascending() const {
+    std::vector<int> variables;
+    variables.reserve(static_cast<std::size_t>(std::popcount(few_)) + many_.size());
+    for (std::uint64_t rest = few_; rest != 0; rest &= rest - 1) variables.push_back(std::countr_zero(rest));
+    variables.insert(variables.end(), many_.begin(), many_.end());
+    return variables;
+  }
 
-void EraseVariable(const Term& term, std::set<int>* variables) {
-  if (term.is(TermKind::kVariable)) variables->erase(term.variable());
-}
+ private:
+  std::uint64_t few_ = 0;
+  std::set<int> many_;
+};
 
 Term ToTerm(const Guard& guard) {
   if (!guard.target) return guard.expression;
@@ -77,8 +108,20 @@ bool BindList(const Term& pattern_list, const Term& values, Bindings& bindings) 
 
 Term VariableList(const std::vector<int>& variables) {
   std::vector<Term> terms;
+  terms.reserve(variables.size());
   for (const int v : variables) terms.push_back(Term::Variable(v));
-  return Term::Set(std::move(terms));
+  return Term::Set(terms);
+}
+
+// The values of the variables; one that is not bound stays itself.
+Term ValueList(const std::vector<int>& variables, const Bindings& bindings) {
+  std::vector<Term> terms;
+  terms.reserve(variables.size());
+  for (const int v : variables) {
+    const Term* value = bindings.Find(v);
+    terms.push_back(value ? *value : Term::Variable(v));
+  }
+  return Term::Set(terms);
 }
 
 std::string GuardLines(std::string_view title, const std::vector<Guard>& guards,
@@ -91,20 +134,19 @@ std::string GuardLines(std::string_view title, const std::vector<Guard>& guards,
 }  // namespace
 
 std::vector<int> ArgumentVariables(const CompositeState& state) {
-  std::set<int> variables;
-  for (const FactPattern& component : state.components) CollectVariables(component, &variables);
-  CollectVariables(state.guards, &variables);
+  VariableSet variables;
+  for (const FactPattern& component : state.components) variables.Add(component);
+  variables.Add(state.guards);
   if (!state.components.empty()) {
-    EraseVariable(state.components[0].after, &variables);
-    EraseVariable(state.components[0].before, &variables);
+    variables.Erase(state.components[0].after);
+    variables.Erase(state.components[0].before);
   }
-  return {variables.begin(), variables.end()};
+  return variables.Ascending();
 }
 
 Term InstancePayload(const CompositeState& state, const Bindings& bindings) {
-  return Substitute(Term::Struct("icst", {Term::Reference(state.id), Term::Set({}),
-                                          VariableList(ArgumentVariables(state))}),
-                    bindings);
+  return Term::Struct("icst", {Term::Reference(state.id), Term::Set(std::span<const Term>{}),
+                               ValueList(ArgumentVariables(state), bindings)});
 }
 
 bool BindInstance(const CompositeState& state, const Term& icst_payload, Bindings& bindings) {
@@ -191,21 +233,21 @@ std::vector<int> TemplateVariables(const Model& model) {
 }
 
 std::vector<int> ExposedVariables(const Model& model) {
-  std::set<int> variables;
-  CollectVariables(model.lhs, &variables);
-  CollectVariables(model.rhs, &variables);
-  CollectVariables(model.forward, &variables);
-  CollectVariables(model.backward, &variables);
-  for (const int v : TemplateVariables(model)) variables.erase(v);
-  EraseVariable(model.lhs.after, &variables);
-  EraseVariable(model.lhs.before, &variables);
-  return {variables.begin(), variables.end()};
+  VariableSet variables;
+  variables.Add(model.lhs);
+  variables.Add(model.rhs);
+  variables.Add(model.forward);
+  variables.Add(model.backward);
+  for (const int v : TemplateVariables(model)) variables.Erase(v);
+  variables.Erase(model.lhs.after);
+  variables.Erase(model.lhs.before);
+  return variables.Ascending();
 }
 
 Term InstancePayload(const Model& model, const Bindings& bindings) {
-  return Substitute(Term::Struct("imdl", {Term::Reference(model.id), Term::Set(model.template_arguments),
-                                          VariableList(ExposedVariables(model))}),
-                    bindings);
+  return Term::Struct("imdl",
+                      {Term::Reference(model.id), Substitute(Term::Set(model.template_arguments), bindings),
+                       ValueList(ExposedVariables(model), bindings)});
 }
 
 bool BindInstance(const Model& model, const Term& imdl_payload, Bindings& bindings) {

@@ -82,6 +82,9 @@ void KnowledgeBase::AddCompositeState(CompositeStateRecord record) {
   record.canonical = CanonicalOf(record.state);
   state_by_content_.try_emplace(record.canonical.hash, record.state.id);
   const CompositeStateId id = record.state.id;
+  for (std::size_t i = 0; i < record.state.components.size(); ++i) {
+    components_.Add(record.state.components[i].payload, {id, static_cast<std::uint32_t>(i)});
+  }
   composite_states_.insert_or_assign(id, std::move(record));
 }
 
@@ -89,31 +92,59 @@ void KnowledgeBase::AddModel(ModelRecord record) {
   record.canonical = CanonicalOf(record.model);
   model_by_content_.try_emplace(record.canonical.hash, record.model.id);
   const ModelId id = record.model.id;
-  models_.insert_or_assign(id, std::move(record));
-  IndexRequirement(id);
+  const auto earlier = models_.find(id);
+  if (earlier != models_.end()) Unindex(earlier->second);
+  Index(models_.insert_or_assign(id, std::move(record)).first->second);
 }
 
-void KnowledgeBase::IndexRequirement(ModelId id) {
-  const ModelRecord& record = models_.at(id);
-  if (!IsRequirement(record.model)) return;
-  std::vector<ModelId>& known = requirements_[TargetModel(record.model)];
-  std::erase(known, id);
-  if (record.state != ModelState::kDeleted)
-    known.insert(std::lower_bound(known.begin(), known.end(), id), id);
+void KnowledgeBase::Index(const ModelRecord& record) {
+  if (record.state == ModelState::kDeleted) return;
+  ++models_in_use_;
+  const Model& model = record.model;
+  left_sides_.Add(model.lhs.payload, model.id);
+  right_sides_.Add(model.rhs.payload, model.id);
+  if (!IsRequirement(model)) return;
+  std::vector<ModelId>& known = requirements_[TargetModel(model)];
+  known.insert(std::lower_bound(known.begin(), known.end(), model.id), model.id);
 }
 
-void KnowledgeBase::SetEvidence(ModelId id, Evidence evidence, bool strong) {
+void KnowledgeBase::Unindex(const ModelRecord& record) {
+  if (record.state == ModelState::kDeleted) return;
+  --models_in_use_;
+  const Model& model = record.model;
+  left_sides_.Remove(model.lhs.payload, model.id);
+  right_sides_.Remove(model.rhs.payload, model.id);
+  if (IsRequirement(model)) std::erase(requirements_[TargetModel(model)], model.id);
+}
+
+std::vector<ModelId> KnowledgeBase::ModelsByLhs(const Term& payload) const {
+  std::vector<ModelId> found;
+  left_sides_.Find(payload, [&](ModelId id) { found.push_back(id); });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::vector<ModelId> KnowledgeBase::ModelsByRhs(const Term& payload) const {
+  std::vector<ModelId> found;
+  right_sides_.Find(payload, [&](ModelId id) { found.push_back(id); });
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void KnowledgeBase::SetEvidence(ModelId id, Evidence evidence, bool strong, EventId event) {
   const auto it = models_.find(id);
   if (it == models_.end()) return;
   it->second.evidence = evidence;
   it->second.strong = strong;
+  it->second.rated = event;
 }
 
 void KnowledgeBase::SetState(ModelId id, ModelState state) {
   const auto it = models_.find(id);
   if (it == models_.end()) return;
+  Unindex(it->second);
   it->second.state = state;
-  IndexRequirement(id);
+  Index(it->second);
 }
 
 void KnowledgeBase::OpenGoal(GoalRecord record) {

@@ -13,6 +13,7 @@
 #include "engine/kb/canonical.h"
 #include "engine/kb/composite_state.h"
 #include "engine/kb/model.h"
+#include "engine/kb/pattern_index.h"
 
 namespace aerascope {
 
@@ -64,6 +65,7 @@ struct ModelRecord {
   bool strong = false;  // confirmed often enough (strength 1, semantics 3.5)
   ModelState state = ModelState::kActive;
   Canonical canonical;
+  EventId rated = {};  // the last event that moved the evidence; invalid if none did
 };
 
 struct GoalRecord {
@@ -81,6 +83,13 @@ struct PredictionRecord {
   EventId event;
 };
 
+// A component of a composite state, by position from 0.
+struct ComponentOf {
+  CompositeStateId state;
+  std::uint32_t component = 0;
+  bool operator==(const ComponentOf&) const = default;
+};
+
 class KnowledgeBase {
  public:
   const std::vector<Term>& symbols() const { return symbols_; }
@@ -91,6 +100,7 @@ class KnowledgeBase {
   const std::map<FactId, FactRecord>& facts() const { return facts_; }      // in force in the current frame
   const std::map<GoalId, GoalRecord>& goals() const { return goals_; }
   const std::map<PredictionId, PredictionRecord>& predictions() const { return predictions_; }
+  std::size_t models_in_use() const { return models_in_use_; }  // not deleted
   Time now() const { return now_; }
   std::int64_t frame() const { return frame_; }
 
@@ -104,6 +114,18 @@ class KnowledgeBase {
   // The weak and strong requirement models that speak about a causal model and are not deleted, by id.
   const std::vector<ModelId>& RequirementsOf(ModelId causal_model) const;
 
+  // Found by index, so that the time does not grow with the knowledge that has nothing to do with it.
+  // The models, not deleted, whose left side the payload of a fact can match; by id.
+  std::vector<ModelId> ModelsByLhs(const Term& payload) const;
+  // The models, not deleted, whose right side a wanted payload can match, variables and wildcards matching
+  // anything; by id.
+  std::vector<ModelId> ModelsByRhs(const Term& payload) const;
+  // Calls visit(ComponentOf) for each component of a composite state that the payload of a fact can match.
+  template <class Visit>
+  void ForEachComponentFor(const Term& payload, Visit&& visit) const {
+    components_.Find(payload, visit);
+  }
+
   // Changes; called by Apply only.
   void SetNow(Time now, std::int64_t frame);
   void AddSymbol(Term symbol);
@@ -111,7 +133,7 @@ class KnowledgeBase {
   void ExpireFacts(Time now);                           // drops facts whose interval ended at or before now
   void AddCompositeState(CompositeStateRecord record);  // computes the canonical form
   void AddModel(ModelRecord record);                    // computes the canonical form
-  void SetEvidence(ModelId id, Evidence evidence, bool strong);
+  void SetEvidence(ModelId id, Evidence evidence, bool strong, EventId event = {});
   void SetState(ModelId id, ModelState state);
   void OpenGoal(GoalRecord record);
   void CloseGoal(GoalId id);
@@ -119,12 +141,14 @@ class KnowledgeBase {
   void ClosePrediction(PredictionId id);
 
  private:
-  void IndexRequirement(ModelId id);  // keeps requirements_ in order of id, without deleted ones
+  void Index(const ModelRecord& record);
+  void Unindex(const ModelRecord& record);
   Definitions DefinitionsHere() const;
   aerascope::CanonicalOf CanonicalLookup() const;
 
   Time now_;
   std::int64_t frame_ = 0;
+  std::size_t models_in_use_ = 0;
   std::vector<Term> symbols_;
   std::map<CompositeStateId, CompositeStateRecord> composite_states_;
   std::map<ModelId, ModelRecord> models_;
@@ -134,6 +158,9 @@ class KnowledgeBase {
   std::map<Hash128, CompositeStateId> state_by_content_;
   std::map<Hash128, ModelId> model_by_content_;
   std::map<ModelId, std::vector<ModelId>> requirements_;
+  PatternIndex<ComponentOf, false> components_;
+  PatternIndex<ModelId, false> left_sides_;  // of models that are not deleted
+  PatternIndex<ModelId, true> right_sides_;  // of the same
 };
 
 }  // namespace aerascope

@@ -1,5 +1,6 @@
 #include "engine/kb/match.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -7,13 +8,51 @@ namespace aerascope {
 
 void Bindings::Set(int variable, Term value) {
   const auto i = static_cast<std::size_t>(variable);
-  if (i >= values_.size()) values_.resize(i + 1);
-  values_[i] = std::move(value);
+  size_ = std::max(size_, i + 1);
+  if (i < kFew) {
+    few_[i] = std::move(value);
+    bound_few_ |= 1u << i;
+    return;
+  }
+  if (i - kFew >= many_.size()) many_.resize(i - kFew + 1);
+  many_[i - kFew] = std::move(value);
 }
 
 void Bindings::Clear(int variable) {
   const auto i = static_cast<std::size_t>(variable);
-  if (i < values_.size()) values_[i].reset();
+  if (i < kFew) {
+    few_[i] = Term();
+    bound_few_ &= ~(1u << i);
+  } else if (i - kFew < many_.size()) {
+    many_[i - kFew].reset();
+  }
+}
+
+Bindings::Mark Bindings::Save() const {
+  Mark mark;
+  mark.few = bound_few_;
+  if (!many_.empty()) {
+    mark.many.reserve(many_.size());
+    for (const std::optional<Term>& value : many_) mark.many.push_back(value.has_value());
+  }
+  return mark;
+}
+
+void Bindings::Restore(const Mark& mark) {
+  bound_few_ &= mark.few;
+  for (std::size_t i = 0; i < many_.size(); ++i) {
+    if (i >= mark.many.size() || !mark.many[i]) many_[i].reset();
+  }
+}
+
+bool Bindings::operator==(const Bindings& other) const {
+  const auto highest = static_cast<int>(std::max(size_, other.size_));
+  for (int i = 0; i < highest; ++i) {
+    const Term* mine = Find(i);
+    const Term* theirs = other.Find(i);
+    if ((mine == nullptr) != (theirs == nullptr) || (mine && *mine != *theirs)) return false;
+  }
+  return true;
 }
 
 bool SameValue(const Term& a, const Term& b) {
@@ -62,6 +101,7 @@ bool Match(const Term& pattern, const Term& object, Bindings& bindings) {
     }
     case TermKind::kSet:
     case TermKind::kStruct: {
+      if (pattern == object && pattern.ground()) return true;
       if (pattern.kind() != object.kind() || pattern.size() != object.size() ||
           pattern.name() != object.name()) {
         return false;
@@ -91,14 +131,15 @@ Term Substitute(const Term& pattern, const Bindings& bindings) {
   return Rewritten(pattern, [&](const Term& term) -> std::optional<Term> {
     if (term.ground()) return term;
     if (!term.is(TermKind::kVariable)) return std::nullopt;
-    if (const Term* bound = bindings.Find(term.variable())) return *bound;
-    return term;
+    const Term* bound = bindings.Find(term.variable());
+    return bound ? *bound : term;
   });
 }
 
 Term Closed(const Term& term) {
   if (term.ground()) return term;
   return Rewritten(term, [](const Term& part) -> std::optional<Term> {
+    if (part.ground()) return part;
     if (part.is(TermKind::kVariable)) return Term::Wildcard();
     return std::nullopt;
   });

@@ -2,6 +2,8 @@
 // (semantics 1.5, 1.6, 2).
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -12,20 +14,36 @@ namespace aerascope {
 // Numbers closer than this are equal when matching (semantics 1.5).
 inline constexpr double kNumberTolerance = 1e-5;
 
-// What the variables of one pattern stand for. Indexed by variable number; grows as needed.
+// What the variables of one pattern stand for. Indexed by variable number; grows as needed. Few variables, as
+// most patterns have, need no memory of their own.
 class Bindings {
  public:
   const Term* Find(int variable) const {
     const auto i = static_cast<std::size_t>(variable);
-    return i < values_.size() && values_[i] ? &*values_[i] : nullptr;
+    if (i < kFew) return (bound_few_ >> i) & 1 ? &few_[i] : nullptr;
+    return i - kFew < many_.size() && many_[i - kFew] ? &*many_[i - kFew] : nullptr;
   }
   void Set(int variable, Term value);
   void Clear(int variable);
-  std::size_t size() const { return values_.size(); }
-  bool operator==(const Bindings&) const = default;
+  // Remembers what is bound; Restore unbinds what was bound since. What was bound must not have changed in
+  // between.
+  struct Mark {
+    std::uint32_t few = 0;
+    std::vector<bool> many;
+  };
+  Mark Save() const;
+  void Restore(const Mark& mark);
+  // One more than the highest number that was ever set.
+  std::size_t size() const { return size_; }
+  bool operator==(const Bindings& other) const;
 
  private:
-  std::vector<std::optional<Term>> values_;
+  static constexpr std::size_t kFew = 12;
+
+  std::uint32_t bound_few_ = 0;  // bit i: variable i is bound
+  std::size_t size_ = 0;
+  std::array<Term, kFew> few_;
+  std::vector<std::optional<Term>> many_;  // from variable kFew
 };
 
 // Equal up to the tolerances: numbers by kNumberTolerance, instants and durations by kTimeTolerance.

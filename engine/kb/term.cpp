@@ -1,96 +1,246 @@
 #include "engine/kb/term.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
+#include <memory>
+#include <mutex>
+#include <new>
 
 #include "engine/base/text.h"
 
 namespace aerascope {
 namespace {
 
-std::uint64_t Mix(std::uint64_t hash, std::uint64_t value) {
+constexpr std::uint64_t Mix(std::uint64_t hash, std::uint64_t value) {
   hash ^= value + 0x9e3779b97f4a7c15ULL + (hash << 6) + (hash >> 2);
   hash ^= hash >> 31;
   return hash * 0x7fb5d329728ea185ULL;
 }
 
-std::uint64_t HashText(std::string_view text) {
+constexpr std::uint64_t HashText(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
   return hash;
 }
 
+constexpr std::uint64_t HashAtom(TermKind kind, std::int64_t integer, double number, std::string_view text) {
+  std::uint64_t hash = Mix(static_cast<std::uint64_t>(kind) + 1, static_cast<std::uint64_t>(integer));
+  hash = Mix(hash, std::bit_cast<std::uint64_t>(number));
+  return Mix(hash, HashText(text));
+}
+
+PayloadKind PayloadKindOf(TermKind kind, std::string_view head, std::size_t size) {
+  if (kind != TermKind::kStruct) return PayloadKind::kOther;
+  if (size == 2) return head == "cmd" ? PayloadKind::kCommand : PayloadKind::kOther;
+  if (size != 3) return PayloadKind::kOther;
+  if (head == "mk.val") return PayloadKind::kValue;
+  if (head == "icst") return PayloadKind::kIcst;
+  return head == "imdl" ? PayloadKind::kImdl : PayloadKind::kOther;
+}
+
 }  // namespace
 
-Term Term::Make(Node node) {
-  std::uint64_t hash =
-      Mix(static_cast<std::uint64_t>(node.kind) + 1, static_cast<std::uint64_t>(node.integer));
-  hash = Mix(hash, std::bit_cast<std::uint64_t>(node.number));
-  hash = Mix(hash, HashText(node.text));
-  if (node.kind == TermKind::kVariable || node.kind == TermKind::kWildcard) node.ground = false;
-  for (const Term& item : node.items) {
-    hash = Mix(hash, item.hash());
-    node.ground = node.ground && item.ground();
-    node.depth = std::max(node.depth, item.depth() + 1);
+constinit const Term::Node Term::kNil{.hash = HashAtom(TermKind::kNil, 0, 0, ""), .text = {}};
+
+// What makes a term the one it is.
+struct Term::Content {
+  TermKind kind = TermKind::kNil;
+  std::int64_t integer = 0;
+  double number = 0;
+  std::string_view text;
+  std::span<const Term> items;
+};
+
+// All nodes of the process, found by content. In parts with a lock each, so that threads seldom meet.
+class Term::Table {
+ public:
+  // One use of the node with this content is the caller's.
+  const Node* Find(const Content& content) {
+    std::uint64_t hash = HashAtom(content.kind, content.integer, content.number, content.text);
+    for (const Term& item : content.items) hash = Mix(hash, item.hash());
+    Part& part = PartOf(hash);
+    const std::lock_guard lock(part.mutex);
+    for (const Node* node = part.heads[hash & part.mask]; node; node = node->next) {
+      if (node->hash == hash && Same(*node, content)) {
+        node->uses.fetch_add(1, std::memory_order_relaxed);
+        return node;
+      }
+    }
+    Node* node = Create(content, hash);
+    if (part.count > part.mask) part.Grow();
+    Node*& head = part.heads[hash & part.mask];
+    node->next = head;
+    head = node;
+    ++part.count;
+    return node;
   }
-  assert(node.depth <= kMaxTermDepth && "readers refuse deeper text; the engine builds nothing as deep");
-  node.hash = hash;
-  return Term(std::make_shared<const Node>(std::move(node)));
+
+  // Gives back one use, most likely the last.
+  void Drop(const Node* node) {
+    Part& part = PartOf(node->hash);
+    {
+      const std::lock_guard lock(part.mutex);
+      // Found again by another thread in the meantime?
+      if (node->uses.fetch_sub(1, std::memory_order_acq_rel) != 1) return;
+      Node** link = &part.heads[node->hash & part.mask];
+      while (*link != node) link = &(*link)->next;
+      *link = node->next;
+      --part.count;
+    }
+    Destroy(node);
+  }
+
+  std::size_t Count() {
+    std::size_t count = 0;
+    for (Part& part : parts_) {
+      const std::lock_guard lock(part.mutex);
+      count += part.count;
+    }
+    return count;
+  }
+
+ private:
+  struct Part {
+    std::mutex mutex;
+    std::uint64_t mask = 255;
+    std::size_t count = 0;
+    std::vector<Node*> heads = std::vector<Node*>(256, nullptr);
+
+    void Grow() {
+      std::vector<Node*> wider(heads.size() * 2, nullptr);
+      mask = wider.size() - 1;
+      for (Node* node : heads) {
+        while (node) {
+          Node* const next = node->next;
+          node->next = wider[node->hash & mask];
+          wider[node->hash & mask] = node;
+          node = next;
+        }
+      }
+      heads = std::move(wider);
+    }
+  };
+
+  Part& PartOf(std::uint64_t hash) { return parts_[hash >> 58]; }
+
+  static bool Same(const Node& node, const Content& content) {
+    return node.kind == content.kind && node.integer == content.integer &&
+           node.size == content.items.size() &&
+           std::bit_cast<std::uint64_t>(node.number) == std::bit_cast<std::uint64_t>(content.number) &&
+           node.text == content.text && std::equal(content.items.begin(), content.items.end(), node.items);
+  }
+
+  // A node and its items in one block.
+  static Node* Create(const Content& content, std::uint64_t hash) {
+    static_assert(alignof(Node) >= alignof(Term) && sizeof(Node) % alignof(Term) == 0);
+    void* block = ::operator new(sizeof(Node) + content.items.size() * sizeof(Term));
+    Node* node =
+        new (block) Node{.kind = content.kind,
+                         .payload_kind = PayloadKindOf(content.kind, content.text, content.items.size()),
+                         .size = static_cast<std::uint32_t>(content.items.size()),
+                         .uses = 1,
+                         .integer = content.integer,
+                         .number = content.number,
+                         .hash = hash,
+                         .text = std::string(content.text)};
+    node->ground = content.kind != TermKind::kVariable && content.kind != TermKind::kWildcard;
+    Term* items = reinterpret_cast<Term*>(node + 1);
+    for (std::size_t i = 0; i < content.items.size(); ++i) {
+      new (items + i) Term(content.items[i]);
+      node->ground = node->ground && items[i].ground();
+      node->depth = std::max(node->depth, items[i].depth() + 1);
+    }
+    node->items = items;
+    assert(node->depth <= kMaxTermDepth && "readers refuse deeper text; the engine builds nothing as deep");
+    return node;
+  }
+
+  static void Destroy(const Node* node) {
+    std::destroy_n(node->items, node->size);
+    node->~Node();
+    ::operator delete(const_cast<Node*>(node));
+  }
+
+  std::array<Part, 64> parts_;
+};
+
+namespace {
+
+// Variables in use are few and everywhere: each is looked up once and kept.
+constexpr int kCommonVariables = 32;
+
+}  // namespace
+
+// Never destroyed: terms may outlive every other static object.
+Term::Table& Term::TheTable() {
+  static Table* const table = new Table;
+  return *table;
 }
 
-Term::Term() {
-  static const Term nil = Make(Node{});
-  node_ = nil.node_;
+Term Term::Make(const Content& content) {
+  return Term(TheTable().Find(content));
 }
 
-Term Term::Entity(std::string name) {
-  return Make({.kind = TermKind::kEntity, .text = std::move(name), .items = {}});
+void Term::ReleaseLast(const Node* node) {
+  TheTable().Drop(node);
 }
-Term Term::Ontology(std::string name) {
-  return Make({.kind = TermKind::kOntology, .text = std::move(name), .items = {}});
+
+std::size_t Term::CountNodes() {
+  return TheTable().Count();
+}
+
+Term Term::Atom(TermKind kind, std::int64_t integer) {
+  return Make({.kind = kind, .integer = integer, .text = {}, .items = {}});
+}
+
+Term Term::Entity(std::string_view name) {
+  return Make({.kind = TermKind::kEntity, .text = name, .items = {}});
+}
+Term Term::Ontology(std::string_view name) {
+  return Make({.kind = TermKind::kOntology, .text = name, .items = {}});
 }
 Term Term::Number(double value) {
   return Make({.kind = TermKind::kNumber, .number = RoundNumber(value), .text = {}, .items = {}});
 }
 Term Term::Instant(Time time) {
-  return Make({.kind = TermKind::kTime, .integer = time.us, .text = {}, .items = {}});
+  return Atom(TermKind::kTime, time.us);
 }
 Term Term::Span(Duration duration) {
-  return Make({.kind = TermKind::kDuration, .integer = duration.us, .text = {}, .items = {}});
+  return Atom(TermKind::kDuration, duration.us);
 }
-Term Term::String(std::string text) {
-  return Make({.kind = TermKind::kString, .text = std::move(text), .items = {}});
+Term Term::String(std::string_view text) {
+  return Make({.kind = TermKind::kString, .text = text, .items = {}});
 }
 Term Term::Bool(bool value) {
-  return Make({.kind = TermKind::kBool, .integer = value ? 1 : 0, .text = {}, .items = {}});
+  return Atom(TermKind::kBool, value ? 1 : 0);
 }
 Term Term::Variable(int index) {
   assert(index >= 0);
-  return Make({.kind = TermKind::kVariable, .integer = index, .text = {}, .items = {}});
+  static const std::vector<Term> common = [] {
+    std::vector<Term> variables;
+    for (int i = 0; i < kCommonVariables; ++i) variables.push_back(Atom(TermKind::kVariable, i));
+    return variables;
+  }();
+  return index < kCommonVariables ? common[static_cast<std::size_t>(index)]
+                                  : Atom(TermKind::kVariable, index);
 }
 Term Term::Wildcard() {
-  return Make({.kind = TermKind::kWildcard, .text = {}, .items = {}});
+  static const Term wildcard = Atom(TermKind::kWildcard, 0);
+  return wildcard;
 }
-Term Term::Set(std::vector<Term> items) {
-  return Make({.kind = TermKind::kSet, .text = {}, .items = std::move(items)});
+Term Term::Set(std::span<const Term> items) {
+  return Make({.kind = TermKind::kSet, .text = {}, .items = items});
 }
-Term Term::Struct(std::string head, std::vector<Term> arguments) {
-  return Make({.kind = TermKind::kStruct, .text = std::move(head), .items = std::move(arguments)});
+Term Term::Struct(std::string_view head, std::span<const Term> arguments) {
+  return Make({.kind = TermKind::kStruct, .text = head, .items = arguments});
 }
 Term Term::Reference(CompositeStateId id) {
-  return Make({.kind = TermKind::kCompositeState, .integer = id.value, .text = {}, .items = {}});
+  return Atom(TermKind::kCompositeState, id.value);
 }
 Term Term::Reference(ModelId id) {
-  return Make({.kind = TermKind::kModel, .integer = id.value, .text = {}, .items = {}});
-}
-
-bool Term::operator==(const Term& other) const {
-  if (node_ == other.node_) return true;
-  const Node& a = *node_;
-  const Node& b = *other.node_;
-  return a.hash == b.hash && a.kind == b.kind && a.integer == b.integer &&
-         std::bit_cast<std::uint64_t>(a.number) == std::bit_cast<std::uint64_t>(b.number) &&
-         a.text == b.text && a.items == b.items;
+  return Atom(TermKind::kModel, id.value);
 }
 
 bool Term::operator<(const Term& other) const {
@@ -101,8 +251,8 @@ bool Term::operator<(const Term& other) const {
   if (a.integer != b.integer) return a.integer < b.integer;
   if (a.number != b.number) return a.number < b.number;
   if (a.text != b.text) return a.text < b.text;
-  if (a.items.size() != b.items.size()) return a.items.size() < b.items.size();
-  for (std::size_t i = 0; i < a.items.size(); ++i) {
+  if (a.size != b.size) return a.size < b.size;
+  for (std::size_t i = 0; i < a.size; ++i) {
     if (a.items[i] < b.items[i]) return true;
     if (b.items[i] < a.items[i]) return false;
   }
@@ -156,16 +306,15 @@ std::string ToText(const Term& term, std::span<const std::string> variable_names
 Term MakeValue(Term object, Term attribute, Term value) {
   return Term::Struct("mk.val", {std::move(object), std::move(attribute), std::move(value)});
 }
-Term MakeCommand(Term function, std::vector<Term> arguments) {
-  return Term::Struct("cmd", {std::move(function), Term::Set(std::move(arguments))});
+Term MakeCommand(Term function, const std::vector<Term>& arguments) {
+  return Term::Struct("cmd", {std::move(function), Term::Set(arguments)});
 }
-Term MakeIcst(CompositeStateId state, std::vector<Term> template_arguments, std::vector<Term> arguments) {
-  return Term::Struct("icst", {Term::Reference(state), Term::Set(std::move(template_arguments)),
-                               Term::Set(std::move(arguments))});
+Term MakeIcst(CompositeStateId state, const std::vector<Term>& template_arguments,
+              const std::vector<Term>& arguments) {
+  return Term::Struct("icst", {Term::Reference(state), Term::Set(template_arguments), Term::Set(arguments)});
 }
-Term MakeImdl(ModelId model, std::vector<Term> template_arguments, std::vector<Term> exposed) {
-  return Term::Struct("imdl", {Term::Reference(model), Term::Set(std::move(template_arguments)),
-                               Term::Set(std::move(exposed))});
+Term MakeImdl(ModelId model, const std::vector<Term>& template_arguments, const std::vector<Term>& exposed) {
+  return Term::Struct("imdl", {Term::Reference(model), Term::Set(template_arguments), Term::Set(exposed)});
 }
 
 }  // namespace aerascope

@@ -2,18 +2,22 @@
 //
 // Atoms are names (entities, ontology symbols), numbers, times, strings, variables and references to
 // knowledge; sets and structs hold other terms. `(mk.val h position (vec2 0.1 0.2))` is a struct "mk.val" of
-// an entity, an ontology symbol and a struct "vec2" of two numbers. Copies are cheap (a shared pointer to an
-// immutable node) and may be used from any thread.
+// an entity, an ontology symbol and a struct "vec2" of two numbers. Terms are hash-consed (semantics 11.2):
+// one node for each content in the whole process, counted by its users and freed with the last. So copies are
+// cheap, equality is a comparison of pointers, and terms may be made, copied and dropped in any thread.
 //
-// Always true: (1) equal terms have equal hashes, on every machine; (2) every number has at most 9
-// significant decimal digits; (3) a term is never deeper than kMaxTermDepth.
+// Always true: (1) equal terms share one node, and have equal hashes on every machine; (2) every number has
+// at most 9 significant decimal digits; (3) a term is never deeper than kMaxTermDepth.
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/base/ids.h"
@@ -38,28 +42,55 @@ enum class TermKind : std::uint8_t {
   kModel,           // a reference to a model of this episode
 };
 
+// The structs that facts are made of, told apart without comparing names.
+enum class PayloadKind : std::uint8_t {
+  kOther,
+  kValue,    // (mk.val object attribute value)
+  kCommand,  // (cmd function [arguments])
+  kIcst,     // (icst cst_1 [template] [arguments])
+  kImdl,     // (imdl mdl_1 [template] [exposed])
+};
+
 inline constexpr int kMaxTermDepth = 64;
 
 class Term {
  public:
-  Term();  // nil
+  Term() : node_(&kNil) {}
+  Term(const Term& other) : node_(other.node_) { Retain(node_); }
+  Term(Term&& other) noexcept : node_(std::exchange(other.node_, &kNil)) {}
+  Term& operator=(const Term& other) {
+    Retain(other.node_);
+    Release(std::exchange(node_, other.node_));
+    return *this;
+  }
+  Term& operator=(Term&& other) noexcept {
+    std::swap(node_, other.node_);
+    return *this;
+  }
+  ~Term() { Release(node_); }
+
   static Term Nil() { return Term(); }
-  static Term Entity(std::string name);
-  static Term Ontology(std::string name);
+  static Term Entity(std::string_view name);
+  static Term Ontology(std::string_view name);
   static Term Number(double value);  // rounded to 9 significant digits
   static Term Instant(Time time);
   static Term Span(Duration duration);
-  static Term String(std::string text);
+  static Term String(std::string_view text);
   static Term Bool(bool value);
   static Term Variable(int index);
   static Term Wildcard();
-  static Term Set(std::vector<Term> items);
-  static Term Struct(std::string head, std::vector<Term> arguments);
+  static Term Set(std::span<const Term> items);
+  static Term Set(std::initializer_list<Term> items) { return Set(std::span(items.begin(), items.size())); }
+  static Term Struct(std::string_view head, std::span<const Term> arguments);
+  static Term Struct(std::string_view head, std::initializer_list<Term> arguments) {
+    return Struct(head, std::span(arguments.begin(), arguments.size()));
+  }
   static Term Reference(CompositeStateId id);
   static Term Reference(ModelId id);
 
   TermKind kind() const { return node_->kind; }
   bool is(TermKind kind) const { return node_->kind == kind; }
+  PayloadKind payload_kind() const { return node_->payload_kind; }
   bool IsStruct(std::string_view head) const { return is(TermKind::kStruct) && node_->text == head; }
 
   // The name of an entity or ontology symbol, the head of a struct, the text of a string; else empty.
@@ -73,8 +104,8 @@ class Term {
   ModelId model() const { return ModelId{node_->integer}; }                              // of a reference
 
   // The elements of a set or the arguments of a struct; empty for atoms.
-  std::span<const Term> items() const { return node_->items; }
-  std::size_t size() const { return node_->items.size(); }
+  std::span<const Term> items() const { return {node_->items, node_->size}; }
+  std::size_t size() const { return node_->size; }
   const Term& operator[](std::size_t i) const { return node_->items[i]; }
 
   std::uint64_t hash() const { return node_->hash; }
@@ -82,25 +113,54 @@ class Term {
   int depth() const { return node_->depth; }     // 1 for an atom
 
   // Exact equality; numbers are compared without tolerance (matching has the tolerance, match.h).
-  bool operator==(const Term& other) const;
+  bool operator==(const Term& other) const { return node_ == other.node_; }
   // A total order by content, the same on every machine: kind, then value, then elements.
   bool operator<(const Term& other) const;
+
+  // How many different terms there are in the process now; for tests and measurements.
+  static std::size_t CountNodes();
 
  private:
   struct Node {
     TermKind kind = TermKind::kNil;
+    PayloadKind payload_kind = PayloadKind::kOther;
     bool ground = true;
     int depth = 1;
+    std::uint32_t size = 0;
+    mutable std::atomic<std::uint32_t> uses{kForever};
     std::int64_t integer = 0;
     double number = 0;
-    std::string text;
-    std::vector<Term> items;
     std::uint64_t hash = 0;
+    const Term* items = nullptr;  // in the same block of memory
+    Node* next = nullptr;         // in the table of nodes
+    std::string text;
   };
-  explicit Term(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
-  static Term Make(Node node);
+  struct Content;
+  class Table;
 
-  std::shared_ptr<const Node> node_;  // shared: terms are values, copied freely between threads
+  static constexpr std::uint32_t kForever = ~std::uint32_t{0};  // not counted, never freed
+  static const Node kNil;
+
+  explicit Term(const Node* node) : node_(node) {}  // takes over one use
+  static Table& TheTable();
+  static Term Make(const Content& content);
+  static Term Atom(TermKind kind, std::int64_t integer);
+  static void Retain(const Node* node) {
+    if (node->uses.load(std::memory_order_relaxed) != kForever) {
+      node->uses.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+  static void Release(const Node* node) {
+    std::uint32_t uses = node->uses.load(std::memory_order_relaxed);
+    if (uses == kForever) return;
+    while (uses > 1) {
+      if (node->uses.compare_exchange_weak(uses, uses - 1, std::memory_order_acq_rel)) return;
+    }
+    ReleaseLast(node);
+  }
+  static void ReleaseLast(const Node* node);
+
+  const Node* node_;
 };
 
 // For people: names bare, variables as v3, or by the given names (index = variable number) where there are
@@ -109,23 +169,24 @@ std::string ToText(const Term& term, std::span<const std::string> variable_names
 
 // The attribute and object of `(mk.val object attribute value)`, if it is one.
 inline bool IsValue(const Term& payload) {
-  return payload.IsStruct("mk.val") && payload.size() == 3;
+  return payload.payload_kind() == PayloadKind::kValue;
 }
 inline bool IsCommand(const Term& payload) {
-  return payload.IsStruct("cmd") && payload.size() == 2;
+  return payload.payload_kind() == PayloadKind::kCommand;
 }
 // `(icst cst_1 [template] [arguments])` and `(imdl mdl_1 [template] [exposed])`.
 inline bool IsIcst(const Term& payload) {
-  return payload.IsStruct("icst") && payload.size() == 3;
+  return payload.payload_kind() == PayloadKind::kIcst;
 }
 inline bool IsImdl(const Term& payload) {
-  return payload.IsStruct("imdl") && payload.size() == 3;
+  return payload.payload_kind() == PayloadKind::kImdl;
 }
 
 Term MakeValue(Term object, Term attribute, Term value);
-Term MakeCommand(Term function, std::vector<Term> arguments);
-Term MakeIcst(CompositeStateId state, std::vector<Term> template_arguments, std::vector<Term> arguments);
-Term MakeImdl(ModelId model, std::vector<Term> template_arguments, std::vector<Term> exposed);
+Term MakeCommand(Term function, const std::vector<Term>& arguments);
+Term MakeIcst(CompositeStateId state, const std::vector<Term>& template_arguments,
+              const std::vector<Term>& arguments);
+Term MakeImdl(ModelId model, const std::vector<Term>& template_arguments, const std::vector<Term>& exposed);
 
 // Calls visit(index) for each variable inside, in reading order, repeats included.
 template <class Visit>
@@ -146,12 +207,29 @@ void ForEachTerm(const Term& term, Visit&& visit) {
 // (std::optional<Term>); replaced terms are not looked into again.
 template <class Replace>
 Term Rewritten(const Term& term, Replace&& replace) {
-  if (auto replacement = replace(term)) return *replacement;
-  if (term.items().empty()) return term;
-  std::vector<Term> items;
-  items.reserve(term.size());
-  for (const Term& item : term.items()) items.push_back(Rewritten(item, replace));
-  return term.is(TermKind::kSet) ? Term::Set(std::move(items)) : Term::Struct(term.name(), std::move(items));
+  if (auto replacement = replace(term)) return std::move(*replacement);
+  // Most parts stay as they are: a list of items is made only when the first one changes.
+  constexpr std::size_t kFew = 8;
+  Term few[kFew];
+  std::vector<Term> many;
+  Term* items = few;
+  bool changed = false;
+  for (std::size_t i = 0; i < term.size(); ++i) {
+    Term item = Rewritten(term[i], replace);
+    if (!changed) {
+      if (item == term[i]) continue;
+      changed = true;
+      if (term.size() > kFew) {
+        many.resize(term.size());
+        items = many.data();
+      }
+      for (std::size_t k = 0; k < i; ++k) items[k] = term[k];
+    }
+    items[i] = std::move(item);
+  }
+  if (!changed) return term;
+  const std::span<const Term> list(items, term.size());
+  return term.is(TermKind::kSet) ? Term::Set(list) : Term::Struct(term.name(), list);
 }
 
 }  // namespace aerascope

@@ -1,23 +1,29 @@
 #include "engine/reason/chaining.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace aerascope {
 namespace {
 
-// Depth-first join; at each step the open component with the fewest candidates is taken.
+// Depth-first join over the facts of the frame, no partial matches kept (TREAT, semantics 11.2); at each step the open
+// component with the fewest candidates is taken.
 class Joiner {
  public:
-  Joiner(const CompositeState& state, const Situation& situation, std::size_t limit)
-      : state_(state), situation_(situation), limit_(limit) {}
+  Joiner(const CompositeState& state, const Situation& situation, const JoinLimits& limits)
+      : state_(state), situation_(situation), limits_(limits) {}
 
-  std::vector<JointMatch> Join(const Bindings& bindings) {
-    JointMatch start;
-    start.bindings = bindings;
-    start.facts.assign(state_.components.size(), Situation::npos);
-    start.interval = kAlways;
-    Extend(start, state_.components.size());
+  std::vector<JointMatch> Join(const Bindings& bindings, JoinWork* work) {
+    so_far_.bindings = bindings;
+    so_far_.facts.assign(state_.components.size(), Situation::npos);
+    so_far_.interval = kAlways;
+    Extend(state_.components.size());
+    if (work) {
+      work->steps += static_cast<std::int64_t>(steps_);
+      work->cut += cut_ ? 1 : 0;
+    }
     // The order of joining depends on selectivity; the answer is sorted by what was found.
     std::sort(matches_.begin(), matches_.end(),
               [](const JointMatch& a, const JointMatch& b) { return a.facts < b.facts; });
@@ -25,37 +31,47 @@ class Joiner {
   }
 
  private:
-  void Extend(const JointMatch& match, std::size_t open) {
-    if (matches_.size() >= limit_) return;
-    if (open == 0) return Finish(match);
+  void Extend(std::size_t open) {
+    if (open == 0) return Finish();
     std::size_t best = 0;
-    std::size_t best_count = static_cast<std::size_t>(-1);
-    for (std::size_t i = 0; i < match.facts.size(); ++i) {
-      if (match.facts[i] != Situation::npos) continue;
-      const std::size_t count = situation_.Candidates(state_.components[i].payload, match.bindings).size();
-      if (count < best_count) {
-        best = i;
-        best_count = count;
-      }
+    Situation::Positions candidates;
+    for (std::size_t i = 0; i < so_far_.facts.size(); ++i) {
+      if (so_far_.facts[i] != Situation::npos) continue;
+      const auto found = situation_.Candidates(state_.components[i].payload, so_far_.bindings);
+      if (found.empty()) return;
+      if (!candidates.empty() && found.size() >= candidates.size()) continue;
+      best = i;
+      candidates = found;
     }
     const FactPattern& component = state_.components[best];
-    for (const std::size_t candidate : situation_.Candidates(component.payload, match.bindings)) {
+    const TimeInterval interval = so_far_.interval;
+    const double confidence = so_far_.confidence;
+    const Bindings::Mark mark = so_far_.bindings.Save();
+    for (const std::size_t candidate : candidates) {
+      if (matches_.size() >= limits_.matches || steps_ >= limits_.steps) {
+        cut_ = true;
+        return;
+      }
+      ++steps_;
       const Fact& fact = situation_[candidate].fact;
       if (fact.positive != component.positive) continue;
-      if (std::find(match.facts.begin(), match.facts.end(), candidate) != match.facts.end()) continue;
-      JointMatch next = match;
-      if (!Match(component.payload, fact.payload, next.bindings)) continue;
-      const auto common = Intersection(match.interval, fact.interval);
-      if (!common) continue;
-      next.interval = *common;
-      next.confidence = std::min(next.confidence, fact.confidence);
-      next.facts[best] = candidate;
-      Extend(next, open - 1);
+      if (std::find(so_far_.facts.begin(), so_far_.facts.end(), candidate) != so_far_.facts.end()) continue;
+      const auto common = Intersection(interval, fact.interval);
+      if (common && Match(component.payload, fact.payload, so_far_.bindings)) {
+        so_far_.interval = *common;
+        so_far_.confidence = std::min(confidence, fact.confidence);
+        so_far_.facts[best] = candidate;
+        Extend(open - 1);
+        so_far_.facts[best] = Situation::npos;
+        so_far_.interval = interval;
+        so_far_.confidence = confidence;
+      }
+      so_far_.bindings.Restore(mark);
     }
   }
 
-  void Finish(const JointMatch& match) {
-    JointMatch done = match;
+  void Finish() {
+    JointMatch done = so_far_;
     const FactPattern& first = state_.components.front();
     if (!Match(first.after, Term::Instant(done.interval.after), done.bindings) ||
         !Match(first.before, Term::Instant(done.interval.before), done.bindings)) {
@@ -66,7 +82,10 @@ class Joiner {
 
   const CompositeState& state_;
   const Situation& situation_;
-  std::size_t limit_;
+  const JoinLimits& limits_;
+  JointMatch so_far_;
+  std::size_t steps_ = 0;
+  bool cut_ = false;
   std::vector<JointMatch> matches_;
 };
 
@@ -78,13 +97,13 @@ bool ContainsCommand(const Situation& situation, const JointMatch& match) {
 }  // namespace
 
 std::vector<JointMatch> JointMatches(const CompositeState& state, const Situation& situation, const Bindings& bindings,
-                                     std::size_t limit) {
-  return Joiner(state, situation, limit).Join(bindings);
+                                     const JoinLimits& limits, JoinWork* work) {
+  return Joiner(state, situation, limits).Join(bindings, work);
 }
 
-std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* situation) {
+std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* situation, JoinWork* work) {
   std::vector<std::size_t> added;
-  for (const JointMatch& match : JointMatches(state, *situation, {})) {
+  for (const JointMatch& match : JointMatches(state, *situation, {}, {}, work)) {
     if (ContainsCommand(*situation, match)) continue;
     Term payload = InstancePayload(state, match.bindings);
     if (!payload.ground() || situation->FindMatch(payload, true, {}) != Situation::npos) continue;
@@ -96,14 +115,50 @@ std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* si
   return added;
 }
 
-std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation) {
-  // Knowledge refers only to knowledge with a smaller number, so ascending numbers find nested instances first.
+std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation, JoinWork* work,
+                                      const OnProgress& on_progress) {
+  // Which components of a composite state have a fact that fits. A state is joined when all have one. Knowledge refers
+  // only to knowledge with a smaller number, so ascending numbers find nested instances first.
+  std::map<CompositeStateId, std::vector<bool>> reached;
+  std::map<CompositeStateId, int> count;
+  std::set<CompositeStateId> ready;
+  const auto offer = [&](std::size_t fact) {
+    knowledge.ForEachComponentFor((*situation)[fact].fact.payload, [&](const ComponentOf& component) {
+      std::vector<bool>& components = reached[component.state];
+      if (components.empty()) components.resize(knowledge.Find(component.state)->state.components.size());
+      if (components[component.component]) return;
+      components[component.component] = true;
+      const int matched = ++count[component.state];
+      const int total = static_cast<int>(components.size());
+      if (on_progress) on_progress(component, fact, matched, total);
+      if (matched == total) ready.insert(component.state);
+    });
+  };
+  for (std::size_t i = 0; i < situation->facts().size(); ++i) offer(i);
   std::vector<std::size_t> added;
-  for (const auto& [id, record] : knowledge.composite_states()) {
-    const std::vector<std::size_t> more = AddInstances(record.state, situation);
-    added.insert(added.end(), more.begin(), more.end());
+  while (!ready.empty()) {
+    const CompositeStateId next = *ready.begin();
+    ready.erase(ready.begin());
+    for (const std::size_t instance : AddInstances(knowledge.Find(next)->state, situation, work)) {
+      added.push_back(instance);
+      offer(instance);
+    }
   }
   return added;
+}
+
+std::vector<ModelId> RequirementModelsFor(const KnowledgeBase& knowledge, const Situation& situation) {
+  std::set<std::pair<bool, ModelId>> found;  // weak ones last
+  for (const SituationFact& fact : situation.facts()) {
+    for (const ModelId id : knowledge.ModelsByLhs(fact.fact.payload)) {
+      const Model& model = knowledge.Find(id)->model;
+      if (IsRequirement(model)) found.emplace(KindOf(model) == ModelKind::kWeakRequirement, id);
+    }
+  }
+  std::vector<ModelId> models;
+  models.reserve(found.size());
+  for (const auto& [weak, id] : found) models.push_back(id);
+  return models;
 }
 
 std::vector<Requirement> RequirementsFrom(const ModelRecord& requirement, const Situation& situation) {
@@ -155,9 +210,8 @@ std::vector<Firing> Fire(const ModelRecord& record, const KnowledgeBase& knowled
   };
   std::vector<Allowed> allowed;
   double veto = 0;
-  for (std::size_t i = 0; i < situation.requirements().size(); ++i) {
+  for (const std::size_t i : situation.RequirementsOn(model.id)) {
     const Requirement& requirement = situation.requirements()[i];
-    if (requirement.target != model.id) continue;
     Bindings bindings = from_input;
     if (!BindInstance(model, requirement.imdl.payload, bindings)) continue;
     if (requirement.imdl.positive) {

@@ -3,6 +3,7 @@
 // the same three functions.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,17 +20,38 @@ struct JointMatch {
   double confidence = 1;              // the least of the components'
 };
 
-// All ways the components hold together under `bindings`, in a fixed order, each set of facts once; at most `limit`.
-std::vector<JointMatch> JointMatches(const CompositeState& state, const Situation& situation, const Bindings& bindings,
-                                     std::size_t limit = 4096);
+// How much a join may do: sets of facts given, and facts tried for a component. Beyond that it is cut, the same on
+// every machine; with what belongs together in a knowledge base neither is ever near.
+struct JoinLimits {
+  std::size_t matches = 4096;
+  std::size_t steps = 200000;
+};
 
-// Adds the instances of one composite state, or of all (nested ones before those that contain them), to the situation.
-// Returns the positions added. An instance that is there already is not added again.
-std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* situation);
-std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation);
+// What joins did, summed up over calls.
+struct JoinWork {
+  std::int64_t steps = 0;  // facts tried for a component
+  std::int64_t cut = 0;    // joins that met a limit
+};
+
+// All ways the components hold together under `bindings`, in a fixed order, each set of facts once, up to the limits.
+std::vector<JointMatch> JointMatches(const CompositeState& state, const Situation& situation, const Bindings& bindings,
+                                     const JoinLimits& limits = {}, JoinWork* work = nullptr);
+
+// A fact fits a component; `matched` components have such a fact by now.
+using OnProgress = std::function<void(ComponentOf component, std::size_t fact, int matched, int total)>;
+
+// Adds the instances of one composite state, or of all that the facts can match (nested ones before those that contain
+// them), to the situation. Returns the positions added. An instance that is there already is not added again.
+std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* situation, JoinWork* work = nullptr);
+std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation, JoinWork* work = nullptr,
+                                      const OnProgress& on_progress = {});
 
 // What the requirement model says in this situation. Deleted models say nothing; phased out ones neither.
 std::vector<Requirement> RequirementsFrom(const ModelRecord& requirement, const Situation& situation);
+
+// The requirement models that facts of the situation can set off: strong ones before weak ones, then by id
+// (semantics 7.4).
+std::vector<ModelId> RequirementModelsFor(const KnowledgeBase& knowledge, const Situation& situation);
 
 // One firing of a model on a fact.
 struct Firing {

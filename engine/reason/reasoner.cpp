@@ -91,7 +91,7 @@ void Reasoner::BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed) {
   const TimeInterval interval{Time{frame * period_.us}, Time{(frame + 1) * period_.us}};
   previous_ = std::move(situation_);
   situation_ = Situation(interval);
-  journal_.Write(interval.after, FrameStarted{interval});
+  frame_started_ = journal_.Write(interval.after, FrameStarted{interval});
   for (const SituationFact& property : properties_) {
     if (property.fact.interval.Overlaps(interval)) situation_.Add(property);
   }
@@ -106,10 +106,13 @@ void Reasoner::CheckPredictions() {
   expected_.clear();
   concluded_.clear();
   const TimeInterval frame = FrameInterval();
-  const std::map<PredictionId, PredictionRecord> open = knowledge().predictions();
-  for (const auto& [id, prediction] : open) {
+  std::vector<PredictionRecord> open;
+  for (const auto& [id, prediction] : knowledge().predictions()) {
+    if (prediction.target.interval.after < frame.before) open.push_back(prediction);
+  }
+  for (const PredictionRecord& prediction : open) {
+    const PredictionId id = prediction.id;
     const Fact& target = prediction.target;
-    if (target.interval.after >= frame.before) continue;
     expected_.push_back(target);
     const bool silent = target.confidence == 0;
     const SituationFact* evidence = nullptr;
@@ -217,23 +220,35 @@ void Reasoner::OfferToRequirement(ModelId id, Time at) {
 }
 
 void Reasoner::Chain(Time at) {
-  WriteInstances(AddInstances(knowledge(), &situation_), at);
-  // Strong requirements before weak ones (semantics 7.4).
-  for (const ModelKind kind : {ModelKind::kStrongRequirement, ModelKind::kWeakRequirement}) {
-    for (const auto& [id, record] : knowledge().models()) {
-      if (KindOf(record.model) == kind) OfferToRequirement(id, at);
-    }
+  JoinWork work;
+  OnProgress on_progress;
+  if (journal_.Records<InstanceProgress>()) {
+    on_progress = [&](ComponentOf component, std::size_t fact, int matched, int total) {
+      const SituationFact& found = situation_[fact];
+      if (found.permanent || !found.event.valid()) return;
+      journal_.Write(at, InstanceProgress{component.state, found.id, component.component, matched, total}, {found.event});
+    };
   }
+  WriteInstances(AddInstances(knowledge(), &situation_, &work, on_progress), at);
+  for (const ModelId id : RequirementModelsFor(knowledge(), situation_)) OfferToRequirement(id, at);
   const std::size_t count = situation_.facts().size();
   for (std::size_t i = 0; i < count; ++i) {
     if (!situation_[i].permanent) FireOn(i, at);
   }
+  if (!journal_.Records<FrameCounted>()) return;
+  FrameCounted counts;
+  counts.facts = static_cast<std::int64_t>(count);
+  for (const SituationFact& fact : situation_.facts()) counts.instances += fact.components.empty() ? 0 : 1;
+  counts.requirements = static_cast<std::int64_t>(situation_.requirements().size());
+  counts.predictions = static_cast<std::int64_t>(knowledge().predictions().size());
+  counts.models = static_cast<std::int64_t>(knowledge().models_in_use());
+  counts.matches = work.steps;
+  counts.cut = work.cut;
+  journal_.Write(at, counts, {frame_started_});
 }
 
 void Reasoner::FireOn(std::size_t fact, Time at) {
-  std::vector<ModelId> ids;
-  for (const auto& [id, record] : knowledge().models()) ids.push_back(id);
-  for (const ModelId id : ids) {
+  for (const ModelId id : knowledge().ModelsByLhs(situation_[fact].fact.payload)) {
     const ModelRecord& record = *knowledge().Find(id);
     for (const Firing& firing : Fire(record, knowledge(), situation_[fact].fact, situation_)) {
       if (firing.target.interval.before <= at) continue;

@@ -78,6 +78,7 @@ class Reasoner {
   std::vector<SituationFact> properties_;
   Situation previous_;
   Situation situation_;
+  EventId frame_started_;
   std::vector<Fact> expected_;  // targets of predictions for this frame, come true or not
   std::map<PredictionId, EventId> concluded_;  // predictions closed in this frame, and by which event
   Drives drives_;

@@ -1,77 +1,101 @@
 #include "engine/reason/situation.h"
 
+#include <algorithm>
+
+#include "engine/kb/pattern_index.h"
+
 namespace aerascope {
 namespace {
 
-enum PayloadKind { kOther = 0, kValuePayload, kCommandPayload, kIcstPayload, kImdlPayload };
+// The entry of a slot for patterns that leave it open.
+constexpr std::uint64_t kOpen = pattern_index::kOpen;
 
-// The term a pattern slot stands for: itself if ground, its binding if it is a bound variable; else nothing.
-const Term* Ground(const Term& slot, const Bindings* bindings) {
-  if (slot.ground()) return &slot;
-  if (bindings && slot.is(TermKind::kVariable)) return bindings->Find(slot.variable());
-  return nullptr;
+bool PassesWithItsFrame(const SituationFact& fact) {
+  return !fact.components.empty() || IsIcst(fact.fact.payload) || IsCommand(fact.fact.payload) ||
+         IsImdl(fact.fact.payload);
 }
 
 }  // namespace
 
-Situation::Key Situation::KeyOf(const Term& payload, const Bindings* bindings) {
-  const auto hash = [&](const Term& slot) -> std::uint64_t {
-    const Term* term = Ground(slot, bindings);
-    return term ? term->hash() | 1 : 0;
-  };
-  if (IsValue(payload)) return {kValuePayload, hash(payload[1]), hash(payload[0])};
-  if (IsCommand(payload)) return {kCommandPayload, hash(payload[0]), 0};
-  if (IsIcst(payload)) return {kIcstPayload, hash(payload[0]), 0};
-  if (IsImdl(payload)) return {kImdlPayload, hash(payload[0]), 0};
-  return {kOther, 0, 0};
+Situation::Situation(TimeInterval interval) : interval_(interval), content_(std::make_shared<Content>()) {}
+
+Situation::Content& Situation::Own() {
+  if (content_.use_count() != 1) content_ = std::make_shared<Content>(*content_);
+  return *content_;
 }
 
 std::size_t Situation::Add(SituationFact fact) {
-  const std::size_t position = facts_.size();
-  const Key exact = KeyOf(fact.fact.payload, nullptr);
-  // Stored under each key a pattern may ask with: fully known, object unknown, attribute unknown, both unknown.
-  by_key_[exact].push_back(position);
-  if (exact.object != 0) by_key_[{exact.kind, exact.what, 0}].push_back(position);
-  if (exact.what != 0) by_key_[{exact.kind, 0, exact.object}].push_back(position);
-  if (exact.what != 0 && exact.object != 0) by_key_[{exact.kind, 0, 0}].push_back(position);
-  facts_.push_back(std::move(fact));
+  Content& content = Own();
+  const auto position = static_cast<std::uint32_t>(content.facts.size());
+  const PayloadSlots own = PayloadSlots::Of(fact.fact.payload, nullptr);
+  // Stored under each key a pattern may ask with: every slot known or open.
+  for (int choice = 0; choice < 1 << own.used; ++choice) {
+    std::array<std::uint64_t, 3> slots = own.slots;
+    bool distinct = true;
+    for (int i = 0; i < own.used; ++i) {
+      const auto slot = static_cast<std::size_t>(i);
+      if ((choice >> i & 1) == 0) continue;
+      distinct = distinct && PayloadSlots::IsExact(slots[slot]);
+      slots[slot] = PayloadSlots::kUnknown;
+    }
+    if (!distinct) continue;
+    for (std::uint64_t& slot : slots) slot = PayloadSlots::IsExact(slot) ? slot : kOpen;
+    content.facts_by_key.Add(pattern_index::Key(own.kind, slots, own.used), position);
+  }
+  content.facts.push_back(std::move(fact));
   return position;
 }
 
-void Situation::SetEvent(std::size_t fact, FactId id, EventId event) {
-  facts_[fact].id = id;
-  facts_[fact].event = event;
+void Situation::Add(Requirement requirement) {
+  Content& content = Own();
+  content.requirements_by_target.Add(static_cast<std::uint64_t>(requirement.target.value),
+                                     static_cast<std::uint32_t>(content.requirements.size()));
+  content.requirements.push_back(std::move(requirement));
 }
 
-const std::vector<std::size_t>& Situation::Candidates(const Term& payload, const Bindings& bindings) const {
-  static const std::vector<std::size_t> none;
-  const auto it = by_key_.find(KeyOf(payload, &bindings));
-  return it == by_key_.end() ? none : it->second;
+void Situation::SetEvent(std::size_t fact, FactId id, EventId event) {
+  Content& content = Own();
+  content.facts[fact].id = id;
+  content.facts[fact].event = event;
+}
+
+Situation::Positions Situation::Candidates(const Term& payload, const Bindings& bindings) const {
+  PayloadSlots wanted = PayloadSlots::Of(payload, &bindings);
+  for (std::uint64_t& slot : wanted.slots) slot = PayloadSlots::IsExact(slot) ? slot : kOpen;
+  return content_->facts_by_key.Find(pattern_index::Key(wanted.kind, wanted.slots, wanted.used));
+}
+
+Situation::Positions Situation::RequirementsOn(ModelId target) const {
+  return content_->requirements_by_target.Find(static_cast<std::uint64_t>(target.value));
 }
 
 std::size_t Situation::FindMatch(const Term& payload, bool positive, const Bindings& bindings) const {
-  for (const std::size_t i : Candidates(payload, bindings)) {
-    Bindings trial = bindings;
-    if (facts_[i].fact.positive == positive && Match(payload, facts_[i].fact.payload, trial)) return i;
+  const Positions candidates = Candidates(payload, bindings);
+  if (candidates.empty()) return npos;
+  Bindings trial = bindings;
+  for (const std::size_t i : candidates) {
+    if (facts()[i].fact.positive != positive) continue;
+    const Bindings::Mark mark = trial.Save();
+    if (Match(payload, facts()[i].fact.payload, trial)) return i;
+    trial.Restore(mark);
   }
   return npos;
 }
 
 Situation Situation::Successor(const std::vector<SituationFact>& effects, Duration period) const {
   Situation next({interval_.after + period, interval_.before + period});
-  for (const SituationFact& fact : facts_) {
-    if (!fact.components.empty() || IsIcst(fact.fact.payload) || IsCommand(fact.fact.payload) ||
-        IsImdl(fact.fact.payload)) {
-      continue;
-    }
-    bool contradicted = false;
-    for (const SituationFact& effect : effects) {
-      const bool same = SameValue(effect.fact.payload, fact.fact.payload);
-      contradicted = contradicted || same || ContradictsValue(effect.fact.payload, fact.fact.payload);
-    }
+  next.content_->facts.reserve(facts().size() + effects.size());
+  for (const SituationFact& fact : facts()) {
+    if (PassesWithItsFrame(fact)) continue;
+    const bool contradicted = std::any_of(effects.begin(), effects.end(), [&](const SituationFact& effect) {
+      return SameValue(effect.fact.payload, fact.fact.payload) ||
+             ContradictsValue(effect.fact.payload, fact.fact.payload);
+    });
     if (contradicted && !fact.permanent) continue;
     SituationFact copy = fact;
-    if (!copy.permanent) copy.fact.interval = next.interval_;
+    if (!copy.permanent) {
+      copy.fact.interval = {fact.fact.interval.after + period, fact.fact.interval.before + period};
+    }
     next.Add(std::move(copy));
   }
   for (const SituationFact& effect : effects) next.Add(effect);

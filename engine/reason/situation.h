@@ -1,15 +1,15 @@
 // A Situation is what holds during one frame, seen or imagined: facts, instances of composite states, and what the
 // requirement models say about them. Facts are found by key (kind of payload, then attribute, function or knowledge
-// number, then object), so a pattern meets only facts that can match it.
+// number, then object, then value), so a pattern meets only facts that can match it.
 //
-// A value: simulation copies one and moves the copy to the next frame.
+// A value: simulation copies one and moves the copy to the next frame. Copies share their content until one changes.
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <string>
+#include <memory>
 #include <vector>
 
+#include "engine/base/flat_multimap.h"
 #include "engine/event/event.h"
 
 namespace aerascope {
@@ -33,41 +33,43 @@ struct Requirement {
 
 class Situation {
  public:
-  explicit Situation(TimeInterval interval) : interval_(interval) {}
+  explicit Situation(TimeInterval interval);
 
   TimeInterval interval() const { return interval_; }
-  const std::vector<SituationFact>& facts() const { return facts_; }
-  const SituationFact& operator[](std::size_t i) const { return facts_[i]; }
+  const std::vector<SituationFact>& facts() const { return content_->facts; }
+  const SituationFact& operator[](std::size_t i) const { return content_->facts[i]; }
 
   std::size_t Add(SituationFact fact);
-  void Add(Requirement requirement) { requirements_.push_back(std::move(requirement)); }
-  const std::vector<Requirement>& requirements() const { return requirements_; }
+  void Add(Requirement requirement);
+  const std::vector<Requirement>& requirements() const { return content_->requirements; }
   void SetEvent(std::size_t fact, FactId id, EventId event);
 
-  // Positions of the facts a payload pattern can match under bindings, ascending.
-  const std::vector<std::size_t>& Candidates(const Term& payload, const Bindings& bindings) const;
+  using Positions = FlatMultimap<std::uint32_t>::Range;
+  // Positions of the facts a payload pattern can match under bindings, ascending. Good until the next change.
+  Positions Candidates(const Term& payload, const Bindings& bindings) const;
+  // Positions of the requirements that speak about a model, ascending.
+  Positions RequirementsOn(ModelId target) const;
 
   // The first fact that matches payload and polarity under a copy of bindings; npos if none.
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
   std::size_t FindMatch(const Term& payload, bool positive, const Bindings& bindings) const;
 
   // The situation one period later if only `effects` change: what is not contradicted persists (semantics 3.1,
-  // promotion). Instances, requirements and passing events (commands) do not carry over.
+  // promotion), over the same part of the period. Instances, requirements and passing events (commands) do not carry
+  // over.
   Situation Successor(const std::vector<SituationFact>& effects, Duration period) const;
 
  private:
-  struct Key {
-    int kind = 0;              // head of the payload
-    std::uint64_t what = 0;    // attribute, function, or number of the knowledge
-    std::uint64_t object = 0;  // hash of the object; 0 = any
-    auto operator<=>(const Key&) const = default;
+  struct Content {
+    std::vector<SituationFact> facts;
+    std::vector<Requirement> requirements;
+    FlatMultimap<std::uint32_t> facts_by_key;
+    FlatMultimap<std::uint32_t> requirements_by_target;
   };
-  static Key KeyOf(const Term& payload, const Bindings* bindings);
+  Content& Own();  // a content that no copy shares
 
   TimeInterval interval_;
-  std::vector<SituationFact> facts_;
-  std::vector<Requirement> requirements_;
-  std::map<Key, std::vector<std::size_t>> by_key_;
+  std::shared_ptr<Content> content_;  // shared by copies until one of them changes
 };
 
 }  // namespace aerascope
