@@ -182,23 +182,19 @@ std::string CreateSql(const StoredView& view) {
   return "CREATE VIEW " + Quoted(view.name) + " AS  -- " + view.meaning + "\n" + view.sql;
 }
 
-std::vector<std::string> IndexSql() {
-  std::vector<std::string> statements{"CREATE INDEX event_cause_by_cause ON event_cause(cause)"};
-  // Keys of lists are made here and not by the tables: adding to a table that is ordered by row number is
-  // faster.
-  const auto add_key = [&](const StoredTable& table) {
-    if (table.key != StoredTable::Key::kPosition) return;
-    statements.push_back("CREATE UNIQUE INDEX " + Quoted(table.name + "_by_event") + " ON " +
-                         Quoted(table.name) + "(event, position)");
-  };
-  for (const StoredTable& table : CommonTables()) add_key(table);
-  for (const StoredTable& table : EventTables()) add_key(table);
-  ForEachKind([&]<class Body>() {
-    const std::string kind(Body::kName);
-    statements.push_back("CREATE INDEX " + Quoted(kind + "_by_cause") + " ON " + Quoted(kind) +
-                         "(cause) WHERE cause IS NOT NULL");
-  });
-  return statements;
+std::vector<StoredIndex> Indexes(const std::vector<StoredTable>& tables) {
+  std::vector<StoredIndex> indexes{{"event_cause", "CREATE INDEX event_cause_by_cause ON event_cause(cause)"}};
+  for (const StoredTable& table : tables) {
+    if (table.key == StoredTable::Key::kPosition) {
+      // Keys of lists are made here and not by the tables: adding to a table that is ordered by row number is faster.
+      indexes.push_back({table.name, "CREATE UNIQUE INDEX " + Quoted(table.name + "_by_event") + " ON " +
+                                         Quoted(table.name) + "(event, position)"});
+    } else if (table.columns.size() > 4 && table.columns[4].name == "cause") {
+      indexes.push_back({table.name, "CREATE INDEX " + Quoted(table.name + "_by_cause") + " ON " + Quoted(table.name) +
+                                         "(cause) WHERE cause IS NOT NULL"});
+    }
+  }
+  return indexes;
 }
 
 std::string InsertSql(const StoredTable& table) {

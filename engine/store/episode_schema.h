@@ -44,8 +44,13 @@ std::string CreateSql(const StoredTable& table);
 std::string CreateSql(const StoredView& view);
 // The order in which rows lie: an ORDER BY that costs nothing.
 std::string OrderSql(const StoredTable& table);
-// Indexes, created when all events are stored.
-std::vector<std::string> IndexSql();
+// An index, created when all events are stored if its table has rows then: most episodes know but some kinds of events,
+// and an index costs as much as a hundred rows.
+struct StoredIndex {
+  std::string table;
+  std::string sql;
+};
+std::vector<StoredIndex> Indexes(const std::vector<StoredTable>& tables);
 // INSERT with a parameter for each column.
 std::string InsertSql(const StoredTable& table);
 // "name" in quotes, so that SQL words (before, index, by) may be columns.

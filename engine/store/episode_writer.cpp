@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <set>
 #include <system_error>
@@ -123,6 +124,7 @@ bool FixChangeCounter(const std::string& path) {
 
 // The prepared INSERTs of one kind and of its lists.
 struct KindStatements {
+  std::size_t table = 0;  // position among all tables; those of its lists follow
   Statement event;
   std::vector<Statement> lists;
 };
@@ -226,15 +228,15 @@ class Store : public ContentIds {
                           "; PRAGMA user_version=" + std::to_string(kSchemaVersion)) != SQLITE_OK) {
       return false;
     }
-    std::vector<StoredTable> tables = CommonTables();
-    for (StoredTable& table : EventTables()) tables.push_back(std::move(table));
-    for (const StoredTable& table : tables) {
+    tables_ = CommonTables();
+    for (StoredTable& table : EventTables()) tables_.push_back(std::move(table));
+    for (const StoredTable& table : tables_) {
       if (database_.Execute(CreateSql(table)) != SQLITE_OK) return false;
     }
     for (const StoredView& view : Views()) {
       if (database_.Execute(CreateSql(view)) != SQLITE_OK) return false;
     }
-    return InsertMeanings(tables);
+    return InsertMeanings(tables_);
   }
 
   bool InsertMeanings(const std::vector<StoredTable>& tables) {
@@ -299,25 +301,32 @@ class Store : public ContentIds {
       if (!insert.get()) return false;
       insert_causes += ",(?,?,?)";
     }
-    std::size_t kind = kEventKinds;
+    // Each kind's INSERTs are prepared when its first event comes; here it is only noted where its tables are.
+    std::map<std::string, std::size_t> kinds;
     std::size_t next_kind = 0;
-    std::set<std::string> kinds;
-    ForEachKind([&]<class Body>() { kinds.insert(std::string(Body::kName)); });
-    for (const StoredTable& table : EventTables()) {
-      Statement insert = database_.Prepare(InsertSql(table));
-      if (!insert.get()) return false;
-      if (kinds.contains(table.name)) {
-        kind = next_kind++;
-        statements_[kind].event = std::move(insert);
-      } else {
-        statements_[kind].lists.push_back(std::move(insert));
-      }
+    ForEachKind([&]<class Body>() { kinds.emplace(std::string(Body::kName), next_kind++); });
+    for (std::size_t i = 0; i < tables_.size(); ++i) {
+      if (const auto kind = kinds.find(tables_[i].name); kind != kinds.end()) statements_[kind->second].table = i;
+    }
+    return true;
+  }
+
+  // The INSERTs of a kind: its own table, and those of its lists, which follow it.
+  bool Prepare(KindStatements* statements) {
+    if (statements->event.get()) return true;
+    std::size_t table = statements->table;
+    statements->event = database_.Prepare(InsertSql(tables_[table]));
+    if (!statements->event.get()) return Check(database_.ProblemCode());
+    for (++table; table < tables_.size() && tables_[table].key == StoredTable::Key::kPosition; ++table) {
+      statements->lists.push_back(database_.Prepare(InsertSql(tables_[table])));
+      if (!statements->lists.back().get()) return Check(database_.ProblemCode());
     }
     return true;
   }
 
   template <class Body>
   void InsertBody(const Event& event, const Body& body, KindStatements* statements) {
+    if (!Prepare(statements)) return;
     Binder row(statements->event.get(), this);
     row.Integer(event.id.value);
     row.Integer(event.time.us);
@@ -381,11 +390,18 @@ class Store : public ContentIds {
   void Complete() {
     if (!Check(database_.Execute("BEGIN"))) return;
     InsertCounts();
-    for (const std::string& sql : IndexSql()) Check(database_.Execute(sql));
+    for (const StoredIndex& index : Indexes(tables_)) {
+      if (HasRows(index.table)) Check(database_.Execute(index.sql));
+    }
     Check(database_.Execute("UPDATE episode SET events=" + std::to_string(stored_) + ", digest='" +
                             ToText(digest_.Value()) + "'"));
     if (trouble_.empty()) Check(database_.Execute("COMMIT"));
     if (trouble_.empty()) LeaveOnePlainFile();
+  }
+
+  bool HasRows(const std::string& table) {
+    const Statement any = database_.Prepare("SELECT 1 FROM " + Quoted(table) + " LIMIT 1");
+    return any.get() && sqlite3_step(any.get()) == SQLITE_ROW;
   }
 
   void InsertCounts() {
@@ -415,7 +431,10 @@ class Store : public ContentIds {
   void Forget() {
     content_ = {};
     for (Statement& statement : causes_) statement = {};
-    for (KindStatements& statements : statements_) statements = {};
+    for (KindStatements& statements : statements_) {
+      statements.event = {};
+      statements.lists.clear();
+    }
   }
 
   void Discard() {
@@ -429,6 +448,7 @@ class Store : public ContentIds {
   std::string path_;
   bool replaces_ = false;  // an earlier episode was moved aside and comes back if this one fails
   Database database_;
+  std::vector<StoredTable> tables_;
   Statement content_;
   std::array<Statement, kCausesPerInsert> causes_;  // for 1, 2, 3 ... rows
   std::array<KindStatements, kEventKinds> statements_;

@@ -244,7 +244,7 @@ TEST(OtherVersions, OlderIsReadWithoutWhatItDoesNotHaveYet) {
     events[i].id = {static_cast<std::int64_t>(i) + 1}, events[i].causes.clear();
   WriteEpisode(folder / "a", events);
   const std::string drop =
-      "DROP VIEW event; DROP VIEW chain_edges; DROP INDEX CommandRefused_by_cause; DROP TABLE CommandRefused;"
+      "DROP VIEW event; DROP VIEW chain_edges; DROP INDEX IF EXISTS CommandRefused_by_cause; DROP TABLE CommandRefused;"
       "ALTER TABLE CommandIssued DROP COLUMN goal; ALTER TABLE EpisodeStarted DROP COLUMN seed;";
   Tamper(folder / "a", drop);
   EXPECT_THAT(ErrorOf(folder / "a"), HasSubstr("is missing"));
