@@ -4,7 +4,6 @@
 
 #include "engine/kb/term_codec.h"
 #include "engine/reason/chaining.h"
-#include "engine/reason/model_lookup.h"
 
 namespace aerascope {
 namespace {
@@ -61,7 +60,7 @@ bool BackwardChainer::Spend(const Quest& quest) {
 std::vector<ModelId> BackwardChainer::ModelsFor(const Fact& target) const {
   const Term closed = Closed(target.payload);
   const bool any_value = !target.positive && IsValue(closed);
-  return CandidatesByRhs(knowledge_, any_value ? MakeValue(closed[0], closed[1], Term::Wildcard()) : closed);
+  return knowledge_.ModelsByRhs(any_value ? MakeValue(closed[0], closed[1], Term::Wildcard()) : closed);
 }
 
 std::vector<Plan> BackwardChainer::Achieve(const Quest& quest, const Frame& from) {
@@ -839,7 +838,7 @@ double BackwardChainer::Conceivable(const Term& payload) {
 void BackwardChainer::FindThreats(const Fact& target, const GoalEntry& goal, ImaginedFrame* present,
                                   std::vector<Prohibition>* prohibitions,
                                   std::vector<MandatoryGoal>* mandatory) {
-  for (const ModelId id : CandidatesByRhs(knowledge_, Closed(target.payload))) {
+  for (const ModelId id : knowledge_.ModelsByRhs(Closed(target.payload))) {
     const ModelRecord* record = knowledge_.Find(id);
     Bindings bindings;
     if (!IsRunning(record) || record->model.rhs.positive == target.positive || IsRequirement(record->model) ||

@@ -30,8 +30,8 @@ bool Allowed(const KnowledgeBase& knowledge, const Situation& situation, const M
   if (!MatchFact(model.lhs, from, bindings) || !RunGuards(model.forward, bindings)) return false;
   double allowed = AnyActive(knowledge, above, true) ? 0 : 1;
   double veto = 0;
-  for (const Requirement& other : situation.requirements()) {
-    if (other.target != model.id) continue;
+  for (const std::size_t i : situation.RequirementsOn(model.id)) {
+    const Requirement& other = situation.requirements()[i];
     Bindings trial = bindings;
     if (!BindInstance(model, other.imdl.payload, trial)) continue;
     double& side = other.imdl.positive ? allowed : veto;
@@ -113,7 +113,10 @@ ImaginedFrame::Passage ImaginedFrame::Next(std::vector<SituationFact> effects, D
     }
     if (renewed) continue;
     SituationFact carried = fact;
-    if (!carried.permanent) carried.fact.interval = interval;
+    // A fact that holds for a part of each frame (a value held until it changes) keeps to that part.
+    if (!carried.permanent) {
+      carried.fact.interval = {fact.fact.interval.after + period, fact.fact.interval.before + period};
+    }
     passage.frame.situation_.Add(std::move(carried));
   }
   for (const SituationFact& effect : passage.arrived) passage.frame.situation_.Add(effect);

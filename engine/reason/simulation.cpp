@@ -6,7 +6,6 @@
 #include <set>
 
 #include "engine/reason/chaining.h"
-#include "engine/reason/model_lookup.h"
 
 namespace aerascope {
 namespace {
@@ -112,7 +111,7 @@ class Simulator {
   bool FireOn(const Fact& input, EventId because, ModelId expected, std::vector<SituationFact>* effects,
               bool only_at_once = false, int depth = 0) {
     bool fired = false;
-    for (const ModelId id : CandidatesByLhs(knowledge_, input.payload)) {
+    for (const ModelId id : knowledge_.ModelsByLhs(input.payload)) {
       const ModelRecord& record = *knowledge_.Find(id);
       frame_.AskRequirements(knowledge_, id);
       bool any = false;
