@@ -157,7 +157,8 @@ class Term::Table {
     return node;
   }
 
-  static void Destroy(const Node* node) {
+  // Kept out of line: inlined, the compiler believes that it might meet kNil, which is never dropped.
+  [[gnu::noinline]] static void Destroy(const Node* node) {
     std::destroy_n(node->items, node->size);
     node->~Node();
     ::operator delete(const_cast<Node*>(node));
