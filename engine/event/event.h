@@ -1,7 +1,8 @@
-// An Event is one thing that happened: when, what (a body, event_body.h), and because of which earlier events.
+// An Event is one thing that happened: when, what (a body, event_body.h), and because of which earlier
+// events.
 //
-// Always true: (1) ids count up by one from 1; (2) every cause is an earlier event; (3) an event without causes is of a
-// kind for which MayBeUncaused says so: everything else in an episode has an explanation.
+// Always true: (1) ids count up by one from 1; (2) every cause is an earlier event; (3) an event without
+// causes is of a kind for which MayBeUncaused says so: everything else in an episode has an explanation.
 #pragma once
 
 #include <cstdint>
@@ -27,11 +28,12 @@ std::string_view KindName(const EventBody& body);
 // The kind with this name, as the position in EventBody; kEventKinds if there is none.
 std::size_t KindOfName(std::string_view name);
 
-// Observations, drives, seed knowledge, a teacher's command, the start, frames and the end stand for themselves.
+// Observations, drives, seed knowledge, a teacher's command, the start, frames and the end stand for
+// themselves.
 bool MayBeUncaused(const EventBody& body);
 
-// Where events go. Append may keep or copy the event; it does not fail (a sink that meets trouble reports it when it is
-// finished, so that the engine's reasoning never waits for a disk).
+// Where events go. Append may keep or copy the event; it does not fail (a sink that meets trouble reports it
+// when it is finished, so that the engine's reasoning never waits for a disk).
 class EventSink {
  public:
   virtual ~EventSink() = default;

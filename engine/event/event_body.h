@@ -199,11 +199,12 @@ enum class CauseVerdict {
   kFreeVariable,      // the consequent holds something neither cause nor condition gives
   kBlackListed,       // the same model failed and was deleted before
   kDuplicate,         // the same model is known already
+  kContradicted,      // it would forbid what has always been right
 };
 template <>
-inline constexpr std::array<std::string_view, 9> kEnumNames<CauseVerdict>{
-    "built",         "no_shared_value", "too_late", "simultaneous", "no_guard_form", "no_composite_state",
-    "free_variable", "black_listed",    "duplicate"};
+inline constexpr std::array<std::string_view, 10> kEnumNames<CauseVerdict>{
+    "built",         "no_shared_value", "too_late",  "simultaneous", "no_guard_form", "no_composite_state",
+    "free_variable", "black_listed",    "duplicate", "contradicted"};
 
 struct CauseConsidered {
   FactId fact_id;
@@ -847,12 +848,13 @@ struct FrameCounted {
   static constexpr std::string_view kName = "FrameCounted";
   static constexpr std::string_view kMeaning = "How much the forward chaining of a frame had to do.";
   static constexpr auto Fields() {
-    return std::tuple{Field{"facts", "facts in force, properties included", &FrameCounted::facts},
-                      Field{"instances", "instances of composite states", &FrameCounted::instances},
-                      Field{"requirements", "statements of requirement models", &FrameCounted::requirements},
-                      Field{"predictions", "predictions still open", &FrameCounted::predictions},
-                      Field{"models", "models that are not deleted", &FrameCounted::models},
-                      Field{"matches", "patterns compared with facts", &FrameCounted::matches},
+    return std::tuple{
+        Field{"facts", "facts in force, properties included", &FrameCounted::facts},
+        Field{"instances", "instances of composite states", &FrameCounted::instances},
+        Field{"requirements", "statements of requirement models", &FrameCounted::requirements},
+        Field{"predictions", "predictions still open", &FrameCounted::predictions},
+        Field{"models", "models that are not deleted", &FrameCounted::models},
+        Field{"matches", "patterns compared with facts", &FrameCounted::matches},
         Field{"cut", "composite states with more instances than are looked for", &FrameCounted::cut}};
   }
 };

@@ -90,7 +90,11 @@ void KnowledgeBase::AddCompositeState(CompositeStateRecord record) {
 
 void KnowledgeBase::AddModel(ModelRecord record) {
   record.canonical = CanonicalOf(record.model);
-  model_by_content_.try_emplace(record.canonical.hash, record.model.id);
+  const auto [known, is_new] = model_by_content_.try_emplace(record.canonical.hash, record.model.id);
+  if (!is_new) {
+    const ModelRecord& equal = models_.at(known->second);
+    if (equal.state == ModelState::kDeleted && !equal.black_listed) known->second = record.model.id;
+  }
   const ModelId id = record.model.id;
   const auto earlier = models_.find(id);
   if (earlier != models_.end()) Unindex(earlier->second);
@@ -139,11 +143,12 @@ void KnowledgeBase::SetEvidence(ModelId id, Evidence evidence, bool strong, Even
   it->second.rated = event;
 }
 
-void KnowledgeBase::SetState(ModelId id, ModelState state) {
+void KnowledgeBase::SetState(ModelId id, ModelState state, bool black_listed) {
   const auto it = models_.find(id);
   if (it == models_.end()) return;
   Unindex(it->second);
   it->second.state = state;
+  it->second.black_listed = black_listed;
   Index(it->second);
 }
 

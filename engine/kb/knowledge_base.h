@@ -65,7 +65,8 @@ struct ModelRecord {
   bool strong = false;  // confirmed often enough (strength 1, semantics 3.5)
   ModelState state = ModelState::kActive;
   Canonical canonical;
-  EventId rated = {};  // the last event that moved the evidence; invalid if none did
+  EventId rated = {};         // the last event that moved the evidence; invalid if none did
+  bool black_listed = false;  // deleted because it failed: not to be learned again
 };
 
 struct GoalRecord {
@@ -106,7 +107,8 @@ class KnowledgeBase {
 
   const CompositeStateRecord* Find(CompositeStateId id) const;
   const ModelRecord* Find(ModelId id) const;
-  // The knowledge with this content, deleted models included; an invalid id if there is none.
+  // The knowledge with this content; an invalid id if there is none. Deleted models are included; but one
+  // that is not black-listed gives way to an equal one made later.
   CompositeStateId FindState(Hash128 content) const;
   ModelId FindModel(Hash128 content) const;
   Canonical CanonicalOf(const CompositeState& state) const;
@@ -134,7 +136,7 @@ class KnowledgeBase {
   void AddCompositeState(CompositeStateRecord record);  // computes the canonical form
   void AddModel(ModelRecord record);                    // computes the canonical form
   void SetEvidence(ModelId id, Evidence evidence, bool strong, EventId event = {});
-  void SetState(ModelId id, ModelState state);
+  void SetState(ModelId id, ModelState state, bool black_listed = false);
   void OpenGoal(GoalRecord record);
   void CloseGoal(GoalId id);
   void OpenPrediction(PredictionRecord record);

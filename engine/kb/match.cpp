@@ -174,6 +174,11 @@ std::optional<Term> Apply(std::string_view op, const Term& a, const Term& b) {
     if (op == "-") return Term::Span(a.duration() - b.duration());
     return std::nullopt;
   }
+  // A rate is per second: rate * duration is a difference, difference / duration a rate.
+  if (b.is(TermKind::kDuration) && (a.is(TermKind::kNumber) || IsVector(a))) {
+    if (op != "*" && op != "/") return std::nullopt;
+    return Apply(op, a, Term::Number(static_cast<double>(b.duration().us) / 1e6));
+  }
   // Vectors: element by element with each other, or scaled by a number.
   if (IsVector(a) &&
       ((IsVector(b) && a.name() == b.name() && a.size() == b.size()) || b.is(TermKind::kNumber))) {

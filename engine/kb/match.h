@@ -62,7 +62,8 @@ Term Substitute(const Term& pattern, const Bindings& bindings);
 Term Closed(const Term& term);
 
 // The value of a guard expression: a ground term, or (op a b) with op one of + - * / over numbers, vec2/vec3
-// (element by element, or scaled by a number), instants and durations. Nothing if a variable is unbound or
+// (element by element, or scaled by a number), instants and durations. A number or vector times or over a
+// duration counts seconds (own choice; OpenAERA counts microseconds). Nothing if a variable is unbound or
 // the kinds do not fit.
 std::optional<Term> Evaluate(const Term& expression, const Bindings& bindings);
 

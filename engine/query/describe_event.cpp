@@ -62,6 +62,8 @@ std::string_view Words(CauseVerdict verdict) {
       return "the same model failed before";
     case CauseVerdict::kDuplicate:
       return "the same model is known already";
+    case CauseVerdict::kContradicted:
+      return "it would forbid what has always been right";
   }
   return {};
 }

@@ -4,13 +4,17 @@
 #include <cctype>
 
 namespace aerascope {
+namespace {
 
-bool IsQuantity(const Term& value) {
-  if (value.is(TermKind::kNumber)) return true;
-  if (!value.is(TermKind::kStruct) || value.size() == 0) return false;
-  return std::all_of(value.items().begin(), value.items().end(),
-                     [](const Term& item) { return item.is(TermKind::kNumber); });
+std::string NameForRole(const std::string& role) {
+  if (role == kTemplateAfter) return "T0";
+  if (role == kTemplateBefore) return "T1";
+  if (role == kEffectAfter) return "T2";
+  if (role == kEffectBefore) return "T3";
+  return VariableNameFor(role);
 }
+
+}  // namespace
 
 std::string VariableNameFor(const std::string& word) {
   for (const char c : word) {
@@ -40,7 +44,8 @@ Term Abstraction::Fresh(const Term& value, const std::string& name) {
 
 const Term* Abstraction::Find(const Term& value, const std::string& role) const {
   for (const Entry& entry : entries_) {
-    if (SameValue(entry.value, value) && (entry.role == role || value.is(TermKind::kEntity))) return &entry.variable;
+    if (SameValue(entry.value, value) && (entry.role == role || value.is(TermKind::kEntity)))
+      return &entry.variable;
   }
   return nullptr;
 }
@@ -61,41 +66,36 @@ Term Abstraction::Value(const Term& value, const std::string& role, const std::s
 
 Term Abstraction::Abstract(const Term& value, const std::string& role, const std::string& name) {
   if (value.is(TermKind::kEntity)) return Entity(value);
-  if (IsQuantity(value)) return Value(value, role, name);
+  if (IsQuantity(value) || value.is(TermKind::kTime)) return Value(value, role, name);
   if (value.items().empty()) return value;
   std::vector<Term> items;
   for (const Term& item : value.items()) items.push_back(Abstract(item, role, name));
-  return value.is(TermKind::kSet) ? Term::Set(std::move(items)) : Term::Struct(value.name(), std::move(items));
+  return value.is(TermKind::kSet) ? Term::Set(std::move(items))
+                                  : Term::Struct(value.name(), std::move(items));
 }
 
-std::string RoleOfVariable(const CompositeState& state, int variable, const FindCompositeState& find, int depth) {
-  if (depth > 16) return "";
-  const Term wanted = Term::Variable(variable);
-  for (const FactPattern& component : state.components) {
-    const Term& payload = component.payload;
-    if (IsValue(payload) && payload[2] == wanted) return payload[1].name();
-    if (!IsIcst(payload)) continue;
-    const CompositeState* nested = find(payload[0].composite_state());
-    if (!nested) continue;
-    const std::vector<int> arguments = ArgumentVariables(*nested);
-    for (std::size_t i = 0; i < arguments.size() && i < payload[2].size(); ++i) {
-      if (!(payload[2][i] == wanted)) continue;
-      std::string role = RoleOfVariable(*nested, arguments[i], find, depth + 1);
-      if (!role.empty()) return role;
-    }
+Term Abstraction::Payload(const Term& payload, const KnownDefinitions& knowledge) {
+  std::vector<Term> variables;  // of the values, in reading order
+  ForEachValue(payload, knowledge, [&](const Term& value, const std::string& role) {
+    variables.push_back(Abstract(value, role, value.is(TermKind::kEntity) ? "" : NameForRole(role)));
+  });
+  std::size_t next = 0;
+  const auto replaced = [&](const Term& term) {
+    return Rewritten(term, [&](const Term& part) -> std::optional<Term> {
+      if (!part.is(TermKind::kEntity) && !part.is(TermKind::kTime) && !IsQuantity(part)) return std::nullopt;
+      return variables[next++];
+    });
+  };
+  if (IsValue(payload)) {
+    Term object = replaced(payload[0]);
+    return MakeValue(std::move(object), payload[1], replaced(payload[2]));
   }
-  return "";
-}
-
-Term AbstractInstance(const Term& icst_payload, const CompositeState& state, const FindCompositeState& find,
-                      Abstraction* abstraction) {
-  const std::vector<int> arguments = ArgumentVariables(state);
-  std::vector<Term> abstracted;
-  for (std::size_t i = 0; i < icst_payload[2].size(); ++i) {
-    const std::string role = i < arguments.size() ? RoleOfVariable(state, arguments[i], find) : "";
-    abstracted.push_back(abstraction->Abstract(icst_payload[2][i], role, VariableNameFor(role.empty() ? "V" : role)));
+  if (IsCommand(payload)) return Term::Struct("cmd", {payload[0], replaced(payload[1])});
+  if (IsIcst(payload) || IsImdl(payload)) {
+    Term first = replaced(payload[1]);
+    return Term::Struct(payload.name(), {payload[0], std::move(first), replaced(payload[2])});
   }
-  return Term::Struct("icst", {icst_payload[0], icst_payload[1], Term::Set(std::move(abstracted))});
+  return replaced(payload);
 }
 
 }  // namespace aerascope

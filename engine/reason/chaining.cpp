@@ -8,8 +8,8 @@
 namespace aerascope {
 namespace {
 
-// Depth-first join over the facts of the frame, no partial matches kept (TREAT, semantics 11.2); at each step the open
-// component with the fewest candidates is taken.
+// Depth-first join over the facts of the frame, no partial matches kept (TREAT, semantics 11.2); at each step
+// the open component with the fewest candidates is taken.
 class Joiner {
  public:
   Joiner(const CompositeState& state, const Situation& situation, const JoinLimits& limits)
@@ -96,8 +96,8 @@ bool ContainsCommand(const Situation& situation, const JointMatch& match) {
 
 }  // namespace
 
-std::vector<JointMatch> JointMatches(const CompositeState& state, const Situation& situation, const Bindings& bindings,
-                                     const JoinLimits& limits, JoinWork* work) {
+std::vector<JointMatch> JointMatches(const CompositeState& state, const Situation& situation,
+                                     const Bindings& bindings, const JoinLimits& limits, JoinWork* work) {
   return Joiner(state, situation, limits).Join(bindings, work);
 }
 
@@ -116,9 +116,10 @@ std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* si
 }
 
 std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation, JoinWork* work,
-                                      const OnProgress& on_progress) {
-  // Which components of a composite state have a fact that fits. A state is joined when all have one. Knowledge refers
-  // only to knowledge with a smaller number, so ascending numbers find nested instances first.
+                                      const OnComponentMet& on_progress) {
+  // Which components of a composite state have a fact that fits. A state is joined when all have one.
+  // Knowledge refers only to knowledge with a smaller number, so ascending numbers find nested instances
+  // first.
   std::map<CompositeStateId, std::vector<bool>> reached;
   std::map<CompositeStateId, int> count;
   std::set<CompositeStateId> ready;
@@ -164,7 +165,9 @@ std::vector<ModelId> RequirementModelsFor(const KnowledgeBase& knowledge, const 
 std::vector<Requirement> RequirementsFrom(const ModelRecord& requirement, const Situation& situation) {
   std::vector<Requirement> found;
   const Model& model = requirement.model;
-  if (requirement.state != ModelState::kActive || !IsRequirement(model)) return found;
+  if (requirement.state == ModelState::kDeleted || !IsRequirement(model)) return found;
+  // What is phased out speaks without weight: it changes nothing, but may be found right again.
+  const double rate = requirement.state == ModelState::kActive ? requirement.evidence.rate() : 0;
   for (const std::size_t candidate : situation.Candidates(model.lhs.payload, {})) {
     const SituationFact& from = situation[candidate];
     Bindings bindings;
@@ -183,46 +186,91 @@ std::vector<Requirement> RequirementsFrom(const ModelRecord& requirement, const 
     entry.imdl = {model.rhs.positive,
                   Closed(Substitute(model.rhs.payload, bindings)),
                   {after.time(), before.time()},
-                  from.fact.confidence * requirement.evidence.rate()};
+                  from.fact.confidence * rate};
     found.push_back(std::move(entry));
   }
   return found;
 }
 
+namespace {
+
+// A way to fire, as a positive requirement (or none: npos) gives it.
+struct Allowed {
+  Bindings bindings;
+  std::size_t requirement;
+  double confidence;  // 0: of a requirement model that is phased out
+};
+
+ChainingDecision Decide(const ModelRecord& record, const Situation& situation, bool has_weak,
+                        const std::vector<Allowed>& allowed, const std::vector<std::size_t>& negative) {
+  ChainingDecision decision;
+  const Allowed* surest = nullptr;
+  for (const Allowed& way : allowed) {
+    decision.considered.push_back(way.requirement);
+    if (!surest || way.confidence > surest->confidence) surest = &way;
+  }
+  std::size_t veto = Situation::npos;
+  double veto_confidence = 0;
+  for (const std::size_t i : negative) {
+    decision.considered.push_back(i);
+    const double confidence = situation.requirements()[i].imdl.confidence;
+    if (confidence <= veto_confidence) continue;
+    veto = i;
+    veto_confidence = confidence;
+  }
+  const bool vetoed = veto != Situation::npos;
+  if (record.state == ModelState::kPhasedOut) {
+    decision.status = ChainingStatus::kPhasedOut;
+  } else if (!surest || surest->confidence == 0) {
+    decision.status = has_weak ? ChainingStatus::kWeakDisabled
+                      : vetoed ? ChainingStatus::kStrongDisabled
+                               : ChainingStatus::kNoRequirement;
+    if (!has_weak) decision.winner = veto;
+  } else if (vetoed && surest->confidence <= veto_confidence) {
+    decision.status = ChainingStatus::kVetoed;  // a tie goes to the veto (semantics 3.3)
+    decision.winner = veto;
+  } else {
+    decision.status = vetoed ? ChainingStatus::kEnabledAgainstVeto : ChainingStatus::kEnabled;
+    decision.winner = surest->requirement;
+  }
+  return decision;
+}
+
+}  // namespace
+
 std::vector<Firing> Fire(const ModelRecord& record, const KnowledgeBase& knowledge, const Fact& input,
-                         const Situation& situation) {
+                         const Situation& situation, std::optional<ChainingDecision>* decision) {
   std::vector<Firing> firings;
   const Model& model = record.model;
   const ModelKind kind = KindOf(model);
-  if (record.state == ModelState::kDeleted || (kind != ModelKind::kCausal && kind != ModelKind::kReuse)) return firings;
+  if (record.state == ModelState::kDeleted || (kind != ModelKind::kCausal && kind != ModelKind::kReuse))
+    return firings;
   Bindings from_input;
   if (!MatchFact(model.lhs, input, from_input)) return firings;
 
   bool has_weak = false;
   for (const ModelId id : knowledge.RequirementsOf(model.id)) {
     const ModelRecord* requirement = knowledge.Find(id);
-    has_weak = has_weak || (requirement && requirement->model.rhs.positive && requirement->state == ModelState::kActive);
+    has_weak = has_weak || (requirement && requirement->model.rhs.positive);
   }
-  struct Allowed {
-    Bindings bindings;
-    std::size_t requirement;
-    double confidence;
-  };
   std::vector<Allowed> allowed;
-  double veto = 0;
+  std::vector<std::size_t> negative;
   for (const std::size_t i : situation.RequirementsOn(model.id)) {
     const Requirement& requirement = situation.requirements()[i];
+    if (!requirement.imdl.interval.Overlaps(situation.interval())) continue;
     Bindings bindings = from_input;
     if (!BindInstance(model, requirement.imdl.payload, bindings)) continue;
     if (requirement.imdl.positive) {
       allowed.push_back({std::move(bindings), i, requirement.imdl.confidence});
     } else {
-      veto = std::max(veto, requirement.imdl.confidence);
+      negative.push_back(i);
     }
   }
-  if (!has_weak) {
-    if (!model.template_arguments.empty()) return firings;
-    allowed.push_back({from_input, Situation::npos, 1});
+  if (decision) *decision = Decide(record, situation, has_weak, allowed, negative);
+  // Without a requirement's word a model fires if it needs none, and else predicts silently; it can do
+  // neither if it lacks values that only a requirement model gives.
+  if (allowed.empty() && model.template_arguments.empty()) {
+    allowed.push_back({from_input, Situation::npos, has_weak ? 0.0 : 1.0});
   }
 
   for (const Allowed& way : allowed) {
@@ -232,8 +280,19 @@ std::vector<Firing> Fire(const ModelRecord& record, const KnowledgeBase& knowled
     if (!RunGuards(model.forward, firing.bindings)) continue;
     auto target = Instantiate(model.rhs, firing.bindings, input.confidence * record.evidence.rate());
     if (!target) continue;
-    // A tie goes to the veto (semantics 3.3). A phased-out model predicts silently until it has recovered.
-    firing.vetoed = (veto > 0 && way.confidence <= veto) || record.state == ModelState::kPhasedOut;
+    double veto = 0;
+    for (const std::size_t i : negative) {
+      const Fact& warning = situation.requirements()[i].imdl;
+      Bindings same = firing.bindings;
+      if (!BindInstance(model, warning.payload, same)) continue;
+      firing.vetoes.push_back(i);
+      veto = std::max(veto, warning.confidence);
+    }
+    // A tie goes to the veto, and where only vetoes speak they win (semantics 3.3). A phased-out model
+    // predicts silently until it has recovered.
+    const bool alone = way.requirement == Situation::npos;
+    firing.vetoed = (veto > 0 && (alone || way.confidence <= veto)) || way.confidence == 0 ||
+                    record.state == ModelState::kPhasedOut;
     if (firing.vetoed) target->confidence = 0;
     firing.target = std::move(*target);
     firing.instance = InstancePayload(model, firing.bindings);
@@ -247,6 +306,10 @@ std::vector<Firing> Fire(const ModelRecord& record, const KnowledgeBase& knowled
       if (same->vetoed && !firing.vetoed) {
         same->vetoed = false;
         same->target.confidence = firing.target.confidence;
+      }
+      for (const std::size_t i : firing.vetoes) {
+        if (std::find(same->vetoes.begin(), same->vetoes.end(), i) == same->vetoes.end())
+          same->vetoes.push_back(i);
       }
     } else {
       firings.push_back(std::move(firing));

@@ -1,6 +1,6 @@
-// Forward chaining without side effects: which composite states hold in a situation, what the requirement models say
-// about that, and what models predict from a fact (semantics 3.1 to 3.3). The live reasoner and its simulations use
-// the same three functions.
+// Forward chaining without side effects: which composite states hold in a situation, what the requirement
+// models say about that, and what models predict from a fact (semantics 3.1 to 3.3). The live reasoner and
+// its simulations use the same three functions.
 #pragma once
 
 #include <functional>
@@ -14,14 +14,14 @@ namespace aerascope {
 
 // One way the components of a composite state hold together.
 struct JointMatch {
-  Bindings bindings;                  // interval variables included
-  std::vector<std::size_t> facts;     // positions in the situation, in order of the components
-  TimeInterval interval;              // common to all
-  double confidence = 1;              // the least of the components'
+  Bindings bindings;               // interval variables included
+  std::vector<std::size_t> facts;  // positions in the situation, in order of the components
+  TimeInterval interval;           // common to all
+  double confidence = 1;           // the least of the components'
 };
 
-// How much a join may do: sets of facts given, and facts tried for a component. Beyond that it is cut, the same on
-// every machine; with what belongs together in a knowledge base neither is ever near.
+// How much a join may do: sets of facts given, and facts tried for a component. Beyond that it is cut, the
+// same on every machine; with what belongs together in a knowledge base neither is ever near.
 struct JoinLimits {
   std::size_t matches = 4096;
   std::size_t steps = 200000;
@@ -33,20 +33,25 @@ struct JoinWork {
   std::int64_t cut = 0;    // joins that met a limit
 };
 
-// All ways the components hold together under `bindings`, in a fixed order, each set of facts once, up to the limits.
-std::vector<JointMatch> JointMatches(const CompositeState& state, const Situation& situation, const Bindings& bindings,
-                                     const JoinLimits& limits = {}, JoinWork* work = nullptr);
+// All ways the components hold together under `bindings`, in a fixed order, each set of facts once, up to the
+// limits.
+std::vector<JointMatch> JointMatches(const CompositeState& state, const Situation& situation,
+                                     const Bindings& bindings, const JoinLimits& limits = {},
+                                     JoinWork* work = nullptr);
 
 // A fact fits a component; `matched` components have such a fact by now.
-using OnProgress = std::function<void(ComponentOf component, std::size_t fact, int matched, int total)>;
+using OnComponentMet = std::function<void(ComponentOf component, std::size_t fact, int matched, int total)>;
 
-// Adds the instances of one composite state, or of all that the facts can match (nested ones before those that contain
-// them), to the situation. Returns the positions added. An instance that is there already is not added again.
-std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* situation, JoinWork* work = nullptr);
-std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation, JoinWork* work = nullptr,
-                                      const OnProgress& on_progress = {});
+// Adds the instances of one composite state, or of all that the facts can match (nested ones before those
+// that contain them), to the situation. Returns the positions added. An instance that is there already is not
+// added again.
+std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* situation,
+                                      JoinWork* work = nullptr);
+std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation,
+                                      JoinWork* work = nullptr, const OnComponentMet& on_progress = {});
 
-// What the requirement model says in this situation. Deleted models say nothing; phased out ones neither.
+// What the requirement model says in this situation. Deleted models say nothing; phased out ones speak with
+// confidence 0.
 std::vector<Requirement> RequirementsFrom(const ModelRecord& requirement, const Situation& situation);
 
 // The requirement models that facts of the situation can set off: strong ones before weak ones, then by id
@@ -57,15 +62,23 @@ std::vector<ModelId> RequirementModelsFor(const KnowledgeBase& knowledge, const 
 struct Firing {
   ModelId model;
   Bindings bindings;
-  Fact target;                          // confidence = input x model; 0 if vetoed
-  Term instance;                        // (imdl ...) payload
+  Fact target;                            // confidence = input x model; 0 if vetoed
+  Term instance;                          // (imdl ...) payload
   std::vector<std::size_t> requirements;  // positions in situation.requirements(): the positive ones it used
-  bool vetoed = false;                  // a strong requirement stands against it: predicted silently
+  std::vector<std::size_t> vetoes;        // the same: the negative ones that speak about this very instance
+  bool vetoed = false;                    // a strong requirement stands against it: predicted silently
 };
 
-// What the model predicts from the fact, given the requirements in the situation (semantics 3.3). One firing for each
-// distinct target.
+// Why a model fired on a fact, or did not (semantics 3.3).
+struct ChainingDecision {
+  ChainingStatus status = ChainingStatus::kNoRequirement;
+  std::vector<std::size_t> considered;   // positions in situation.requirements(), those that fit
+  std::size_t winner = Situation::npos;  // the one that decided, if one did
+};
+
+// What the model predicts from the fact, given the requirements in the situation (semantics 3.3). One firing
+// for each distinct target.
 std::vector<Firing> Fire(const ModelRecord& model, const KnowledgeBase& knowledge, const Fact& input,
-                         const Situation& situation);
+                         const Situation& situation, std::optional<ChainingDecision>* decision = nullptr);
 
 }  // namespace aerascope

@@ -4,8 +4,10 @@
 #include <map>
 
 #include "engine/reason/chaining.h"
-#include "engine/reason/induction.h"
-#include "engine/reason/rating.h"
+#include "engine/reason/change_induction.h"
+#include "engine/reason/credit.h"
+#include "engine/reason/failure_induction.h"
+#include "engine/reason/requirement_builder.h"
 
 namespace aerascope {
 namespace {
@@ -49,7 +51,8 @@ Reasoner::Reasoner(const ReasonerParameters& parameters, Duration sampling_perio
       drives_(parameters_, sampling_period, &journal_) {}
 
 void Reasoner::LoadSeed(const std::vector<Term>& symbols, const std::vector<Fact>& properties,
-                        const std::vector<CompositeState>& states, const std::vector<SeedModelDefinition>& models) {
+                        const std::vector<CompositeState>& states,
+                        const std::vector<SeedModelDefinition>& models) {
   const Time start{0};
   for (const Term& symbol : symbols) journal_.Write(start, SymbolDeclared{symbol});
   for (const Fact& fact : properties) {
@@ -82,6 +85,7 @@ std::size_t Reasoner::AddFact(Fact fact, FactSource source, Time at, const std::
   SituationFact entry;
   entry.id = journal_.NewId<FactId>();
   entry.fact = std::move(fact);
+  entry.concluded = source == FactSource::kAbsence;
   entry.event = journal_.Write(at, FactObserved{entry.id, entry.fact, source}, causes);
   return situation_.Add(std::move(entry));
 }
@@ -89,8 +93,17 @@ std::size_t Reasoner::AddFact(Fact fact, FactSource source, Time at, const std::
 void Reasoner::BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed) {
   journal_.StartFrame(frame);
   const TimeInterval interval{Time{frame * period_.us}, Time{(frame + 1) * period_.us}};
+  earlier_.push_front(std::move(previous_));
+  while (!earlier_.empty() && static_cast<int>(earlier_.size()) >= parameters_.tpx_time_horizon_frames) {
+    earlier_.pop_back();
+  }
   previous_ = std::move(situation_);
   situation_ = Situation(interval);
+  std::erase_if(pending_,
+                [&](const Requirement& said) { return said.imdl.interval.before <= interval.after; });
+  for (const Requirement& said : pending_) {
+    if (said.imdl.interval.Overlaps(interval)) situation_.Add(said);
+  }
   frame_started_ = journal_.Write(interval.after, FrameStarted{interval});
   for (const SituationFact& property : properties_) {
     if (property.fact.interval.Overlaps(interval)) situation_.Add(property);
@@ -111,10 +124,8 @@ void Reasoner::CheckPredictions() {
     if (prediction.target.interval.after < frame.before) open.push_back(prediction);
   }
   for (const PredictionRecord& prediction : open) {
-    const PredictionId id = prediction.id;
     const Fact& target = prediction.target;
     expected_.push_back(target);
-    const bool silent = target.confidence == 0;
     const SituationFact* evidence = nullptr;
     EvidenceVerdict verdict = EvidenceVerdict::kNone;
     Bindings none;
@@ -130,49 +141,54 @@ void Reasoner::CheckPredictions() {
     // Facts of this frame are in; what is due by its start and has not come will not come.
     const bool overdue = target.interval.before <= frame.after + kTimeTolerance;
     if (verdict == EvidenceVerdict::kNone && !overdue) continue;
-    const bool success = verdict == EvidenceVerdict::kPositive ||
-                         (verdict == EvidenceVerdict::kNone && !target.positive);
-    std::vector<ModelId> rated{prediction.model};
-    rated.insert(rated.end(), prediction.requirements.begin(), prediction.requirements.end());
-    if (silent && !success) rated.clear();  // a silent prediction counts only when it was right
-    Conclude(id, target, prediction.event, rated, success, evidence);
+    const bool success =
+        verdict == EvidenceVerdict::kPositive || (verdict == EvidenceVerdict::kNone && !target.positive);
+    Conclude(prediction, success, evidence);
   }
 }
 
-void Reasoner::Conclude(PredictionId prediction, const Fact& target, EventId made, const std::vector<ModelId>& rated,
-                        bool success, const SituationFact* evidence) {
+void Reasoner::Conclude(const PredictionRecord& prediction, bool success, const SituationFact* evidence) {
   const Time now = FrameInterval().after;
-  const FactId shown_by = evidence ? evidence->id : FactId{};
-  const std::vector<EventId> causes{made, evidence ? evidence->event : EventId{}};
-  const EventId outcome = success ? journal_.Write(now, PredictionSucceeded{prediction, shown_by}, causes)
-                                  : journal_.Write(now, PredictionFailed{prediction, shown_by}, causes);
-  concluded_[prediction] = outcome;
-  if (!success && !evidence) {
+  const Fact& target = prediction.target;
+  const bool silent = target.confidence == 0;
+  // What rests on an assumption proves nothing about the models (semantics 3.4).
+  const bool proven = !evidence || evidence->fact.confidence == 1;
+  FactId shown_by = evidence ? evidence->id : FactId{};
+  const std::vector<EventId> causes{prediction.event, evidence ? evidence->event : EventId{}};
+  const EventId outcome = success ? journal_.Write(now, PredictionSucceeded{prediction.id, shown_by}, causes)
+                                  : journal_.Write(now, PredictionFailed{prediction.id, shown_by}, causes);
+  concluded_[prediction.id] = outcome;
+  if (!success && !evidence && !silent) {
     Fact absent = target;
     absent.positive = !target.positive;
     absent.confidence = 1;
-    AddFact(std::move(absent), FactSource::kAbsence, now, {outcome});
+    shown_by = situation_[AddFact(std::move(absent), FactSource::kAbsence, now, {outcome})].id;
   }
-  for (const ModelId id : rated) {
-    const ModelRecord* record = knowledge().Find(id);
-    if (!record) continue;
-    // A veto is right when what it warned of failed.
-    RateModel(id, KindOf(record->model) == ModelKind::kStrongRequirement ? !success : success, outcome);
+  // A silent prediction counts only when it was right.
+  if (proven && (success || !silent)) {
+    GiveCredit({prediction.model, prediction.requirements, success, outcome}, now, parameters_, &journal_);
+    if (!success) LearnFromFailure(prediction, shown_by, outcome);
   }
+  open_firings_.erase(prediction.id);
 }
 
-void Reasoner::RateModel(ModelId id, bool success, EventId outcome) {
-  const ModelRecord* record = knowledge().Find(id);
-  if (!record || record->state == ModelState::kDeleted) return;
-  const Rating before{record->evidence, record->strong, record->state};
-  const Rating after = Rate(before, success, parameters_);
-  if (after == before) return;
-  const Time now = FrameInterval().after;
-  const EventId updated = journal_.Write(
-      now, EvidenceUpdated{id, success, before.evidence, after.evidence, before.strong, after.strong}, {outcome});
-  if (after.state != before.state) {
-    journal_.Write(now, ModelStateChanged{id, before.state, after.state}, {updated});
+void Reasoner::LearnFromFailure(const PredictionRecord& prediction, FactId shown_by, EventId outcome) {
+  const auto firing = open_firings_.find(prediction.id);
+  if (firing == open_firings_.end()) return;
+  const Time fired =
+      TemplateInterval(firing->second.instance[1]).value_or(previous_.interval()).after + kTimeTolerance;
+  std::vector<const Situation*> frames;
+  if (previous_.interval().after <= fired) frames.push_back(&previous_);
+  for (const Situation& frame : earlier_) {
+    if (frame.interval().after <= fired) frames.push_back(&frame);
   }
+  InduceFromFailure({prediction.model,
+                     firing->second.instance,
+                     firing->second.input,
+                     shown_by,
+                     prediction.target,
+                     {outcome, prediction.event}},
+                    frames, FrameInterval().after, &journal_);
 }
 
 void Reasoner::LearnFromChanges() {
@@ -215,18 +231,34 @@ void Reasoner::OfferToRequirement(ModelId id, Time at) {
     const EventId from = situation_[requirement.from].event;
     requirement.event = journal_.Write(at, ImdlPredicted{journal_.NewId<FactId>(), id, requirement.imdl},
                                        {from, record->event});
+    if (requirement.imdl.interval.before > FrameInterval().before) {
+      pending_.push_back(requirement);
+      pending_.back().from = Situation::npos;
+    }
     situation_.Add(std::move(requirement));
   }
 }
 
+std::vector<ModelId> Reasoner::SpokenFor(const Firing& firing) const {
+  std::vector<ModelId> models;
+  for (const std::vector<std::size_t>* said : {&firing.requirements, &firing.vetoes}) {
+    for (const std::size_t i : *said) {
+      const ModelId id = situation_.requirements()[i].requirement;
+      if (std::find(models.begin(), models.end(), id) == models.end()) models.push_back(id);
+    }
+  }
+  return models;
+}
+
 void Reasoner::Chain(Time at) {
   JoinWork work;
-  OnProgress on_progress;
+  OnComponentMet on_progress;
   if (journal_.Records<InstanceProgress>()) {
     on_progress = [&](ComponentOf component, std::size_t fact, int matched, int total) {
       const SituationFact& found = situation_[fact];
       if (found.permanent || !found.event.valid()) return;
-      journal_.Write(at, InstanceProgress{component.state, found.id, component.component, matched, total}, {found.event});
+      journal_.Write(at, InstanceProgress{component.state, found.id, component.component, matched, total},
+                     {found.event});
     };
   }
   WriteInstances(AddInstances(knowledge(), &situation_, &work, on_progress), at);
@@ -247,34 +279,54 @@ void Reasoner::Chain(Time at) {
   journal_.Write(at, counts, {frame_started_});
 }
 
+void Reasoner::ReportDecision(ModelId model, std::size_t input, const ChainingDecision& decision, Time at) {
+  if (!journal_.Records<ChainingDecided>()) return;
+  ChainingDecided report{model, situation_[input].id, decision.status, {}, {}};
+  std::vector<EventId> causes{situation_[input].event};
+  for (const std::size_t i : decision.considered) {
+    const Requirement& said = situation_.requirements()[i];
+    report.considered.push_back({said.requirement, said.imdl.positive, said.imdl.confidence});
+    causes.push_back(said.event);
+  }
+  if (decision.winner != Situation::npos)
+    report.winner = situation_.requirements()[decision.winner].requirement;
+  journal_.Write(at, std::move(report), causes);
+}
+
 void Reasoner::FireOn(std::size_t fact, Time at) {
   for (const ModelId id : knowledge().ModelsByLhs(situation_[fact].fact.payload)) {
     const ModelRecord& record = *knowledge().Find(id);
-    for (const Firing& firing : Fire(record, knowledge(), situation_[fact].fact, situation_)) {
+    std::optional<ChainingDecision> decision;
+    const std::vector<Firing> firings =
+        Fire(record, knowledge(), situation_[fact].fact, situation_, &decision);
+    if (decision) ReportDecision(id, fact, *decision, at);
+    for (const Firing& firing : firings) {
       if (firing.target.interval.before <= at) continue;
       std::vector<EventId> causes{situation_[fact].event};
-      std::vector<ModelId> requirements;
-      for (const std::size_t i : firing.requirements) {
-        causes.push_back(situation_.requirements()[i].event);
-        requirements.push_back(situation_.requirements()[i].requirement);
+      for (const std::vector<std::size_t>* said : {&firing.requirements, &firing.vetoes}) {
+        for (const std::size_t i : *said) causes.push_back(situation_.requirements()[i].event);
       }
       causes.push_back(record.event);
-      const EventId event = journal_.Write(
-          at, PredictionMade{journal_.NewId<PredictionId>(), id, requirements, situation_[fact].id, firing.target}, causes);
+      const PredictionId prediction = journal_.NewId<PredictionId>();
+      const FactId input = situation_[fact].id;
+      const EventId event =
+          journal_.Write(at, PredictionMade{prediction, id, SpokenFor(firing), input, firing.target}, causes);
+      open_firings_[prediction] = {firing.instance, input};
       if (firing.vetoed || !firing.instance.ground()) continue;
       // The instance itself is a fact, for reuse models and as a possible cause.
       SituationFact instance;
-      instance.id = situation_[fact].id;
+      instance.id = journal_.NewId<FactId>();
       instance.fact = {true, firing.instance, situation_[fact].fact.interval, firing.target.confidence};
-      instance.event = event;
-      const std::size_t added = situation_.Add(std::move(instance));
-      if (!IsImdl(situation_[fact].fact.payload)) FireOn(added, at);
+      instance.event = journal_.Write(at, ImdlFired{instance.id, prediction, instance.fact}, {event});
+      FireOn(situation_.Add(std::move(instance)), at);
     }
   }
 }
 
-bool Reasoner::SetDrive(const std::string& title, const Term& goal, Time deadline, bool positive, double confidence) {
-  return drives_.Give(title, Fact{positive, goal, {At(parameters_.goal_offset), deadline}, confidence}, situation_);
+bool Reasoner::SetDrive(const std::string& title, const Term& goal, Time deadline, bool positive,
+                        double confidence) {
+  return drives_.Give(title, Fact{positive, goal, {At(parameters_.goal_offset), deadline}, confidence},
+                      situation_);
 }
 
 std::optional<Wish> Reasoner::Decide() {
@@ -289,10 +341,10 @@ std::optional<Wish> Reasoner::Decide() {
 
 EventId Reasoner::CommandIssued(const Term& command, Commander by, GoalId drive, EventId cause) {
   const Time at = by == Commander::kTeacher ? At(parameters_.goal_offset) : At(parameters_.commit_offset);
-  return journal_.Write(at,
-                        aerascope::CommandIssued{command, by, drive,
-                                                 {At(parameters_.command_offset), FrameInterval().before}},
-                        {cause});
+  return journal_.Write(
+      at,
+      aerascope::CommandIssued{command, by, drive, {At(parameters_.command_offset), FrameInterval().before}},
+      {cause});
 }
 
 void Reasoner::Executed(const Term& command, EventId issued) {

@@ -1,8 +1,9 @@
-// A Situation is what holds during one frame, seen or imagined: facts, instances of composite states, and what the
-// requirement models say about them. Facts are found by key (kind of payload, then attribute, function or knowledge
-// number, then object, then value), so a pattern meets only facts that can match it.
+// A Situation is what holds during one frame, seen or imagined: facts, instances of composite states, and
+// what the requirement models say about them. Facts are found by key (kind of payload, then attribute,
+// function or knowledge number, then object, then value), so a pattern meets only facts that can match it.
 //
-// A value: simulation copies one and moves the copy to the next frame. Copies share their content until one changes.
+// A value: simulation copies one and moves the copy to the next frame. Copies share their content until one
+// changes.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +16,21 @@
 namespace aerascope {
 
 struct SituationFact {
-  FactId id;       // invalid for imagined facts
+  FactId id;  // invalid for imagined facts
   Fact fact;
-  EventId event;   // what made it known
-  bool permanent = false;              // a property: holds in every frame
+  EventId event;                        // what made it known
+  bool permanent = false;               // a property: holds in every frame
   std::vector<std::size_t> components;  // of an instance: its components, as positions in the situation
+  bool concluded = false;               // an absence, concluded from what was expected and did not come
 };
 
 // A requirement model's word on a model in this situation.
 struct Requirement {
   ModelId requirement;
   ModelId target;
-  Fact imdl;                // its polarity tells a positive from a negative requirement
+  Fact imdl;  // its polarity tells a positive from a negative requirement
   EventId event;
-  std::size_t from = 0;     // the fact (usually an instance) on its left side, as a position in the situation
+  std::size_t from = 0;  // the fact (usually an instance) on its left side, as a position in the situation
 };
 
 class Situation {
@@ -54,9 +56,9 @@ class Situation {
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
   std::size_t FindMatch(const Term& payload, bool positive, const Bindings& bindings) const;
 
-  // The situation one period later if only `effects` change: what is not contradicted persists (semantics 3.1,
-  // promotion), over the same part of the period. Instances, requirements and passing events (commands) do not carry
-  // over.
+  // The situation one period later if only `effects` change: what is not contradicted persists
+  // (semantics 3.1, promotion), over the same part of the period. Instances, requirements and passing events
+  // (commands) do not carry over.
   Situation Successor(const std::vector<SituationFact>& effects, Duration period) const;
 
  private:

@@ -183,15 +183,17 @@ std::string CreateSql(const StoredView& view) {
 }
 
 std::vector<StoredIndex> Indexes(const std::vector<StoredTable>& tables) {
-  std::vector<StoredIndex> indexes{{"event_cause", "CREATE INDEX event_cause_by_cause ON event_cause(cause)"}};
+  std::vector<StoredIndex> indexes{
+      {"event_cause", "CREATE INDEX event_cause_by_cause ON event_cause(cause)"}};
   for (const StoredTable& table : tables) {
     if (table.key == StoredTable::Key::kPosition) {
-      // Keys of lists are made here and not by the tables: adding to a table that is ordered by row number is faster.
+      // Keys of lists are made here and not by the tables: adding to a table that is ordered by row number is
+      // faster.
       indexes.push_back({table.name, "CREATE UNIQUE INDEX " + Quoted(table.name + "_by_event") + " ON " +
                                          Quoted(table.name) + "(event, position)"});
     } else if (table.columns.size() > 4 && table.columns[4].name == "cause") {
-      indexes.push_back({table.name, "CREATE INDEX " + Quoted(table.name + "_by_cause") + " ON " + Quoted(table.name) +
-                                         "(cause) WHERE cause IS NOT NULL"});
+      indexes.push_back({table.name, "CREATE INDEX " + Quoted(table.name + "_by_cause") + " ON " +
+                                         Quoted(table.name) + "(cause) WHERE cause IS NOT NULL"});
     }
   }
   return indexes;

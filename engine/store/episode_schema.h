@@ -44,8 +44,8 @@ std::string CreateSql(const StoredTable& table);
 std::string CreateSql(const StoredView& view);
 // The order in which rows lie: an ORDER BY that costs nothing.
 std::string OrderSql(const StoredTable& table);
-// An index, created when all events are stored if its table has rows then: most episodes know but some kinds of events,
-// and an index costs as much as a hundred rows.
+// An index, created when all events are stored if its table has rows then: most episodes know but some kinds
+// of events, and an index costs as much as a hundred rows.
 struct StoredIndex {
   std::string table;
   std::string sql;

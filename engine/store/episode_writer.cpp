@@ -3,8 +3,8 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -102,7 +102,8 @@ void MoveEpisode(const std::string& from, const std::string& to) {
 Status MayWriteFolderOf(const std::string& path) {
   std::string folder = std::filesystem::path(path).parent_path().string();
   if (folder.empty()) folder = ".";
-  if (access(folder.c_str(), F_OK) != 0) return Error{"cannot write " + path + ": there is no folder " + folder};
+  if (access(folder.c_str(), F_OK) != 0)
+    return Error{"cannot write " + path + ": there is no folder " + folder};
   if (access(folder.c_str(), W_OK) != 0) {
     return Error{"cannot write " + path + ": " + std::generic_category().message(errno)};
   }
@@ -301,12 +302,14 @@ class Store : public ContentIds {
       if (!insert.get()) return false;
       insert_causes += ",(?,?,?)";
     }
-    // Each kind's INSERTs are prepared when its first event comes; here it is only noted where its tables are.
+    // Each kind's INSERTs are prepared when its first event comes; here it is only noted where its tables
+    // are.
     std::map<std::string, std::size_t> kinds;
     std::size_t next_kind = 0;
     ForEachKind([&]<class Body>() { kinds.emplace(std::string(Body::kName), next_kind++); });
     for (std::size_t i = 0; i < tables_.size(); ++i) {
-      if (const auto kind = kinds.find(tables_[i].name); kind != kinds.end()) statements_[kind->second].table = i;
+      if (const auto kind = kinds.find(tables_[i].name); kind != kinds.end())
+        statements_[kind->second].table = i;
     }
     return true;
   }

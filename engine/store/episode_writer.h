@@ -26,8 +26,9 @@ namespace aerascope {
 
 class EpisodeWriter : public EventSink {
  public:
-  // An existing episode, or an empty file, at `path` is replaced; anything else there is refused. Until Finish the earlier
-  // one stands beside as `path.earlier`: it comes back if this one fails, and stays there if this process is killed.
+  // An existing episode, or an empty file, at `path` is replaced; anything else there is refused. Until
+  // Finish the earlier one stands beside as `path.earlier`: it comes back if this one fails, and stays there
+  // if this process is killed.
   static Result<std::unique_ptr<EpisodeWriter>> Create(const std::string& path, EpisodeHeader header);
 
   // A writer that is not finished stores what was appended and closes; the episode is then incomplete.

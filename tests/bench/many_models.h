@@ -1,5 +1,5 @@
-// A knowledge base with many conditions and models, of which the facts of a frame concern a few, whatever the number:
-// the world of a grasping robot with very many kinds of things, of which twenty are in sight.
+// A knowledge base with many conditions and models, of which the facts of a frame concern a few, whatever the
+// number: the world of a grasping robot with very many kinds of things, of which twenty are in sight.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +18,30 @@ struct ManyModels {
   std::int64_t triads = 0;
 };
 
-// `models` models: half requirement models, half causal models, and a composite state for each pair: a hand that holds
-// nothing, and a thing of kind i and size i at the place of the hand.
+// `models` models: half requirement models, half causal models, and a composite state for each pair: a hand
+// that holds nothing, and a thing of kind i and size i at the place of the hand.
 inline ManyModels MakeManyModels(std::int64_t models) {
   ManyModels made;
   made.triads = models / 2;
   std::int64_t id = 0;
   std::int64_t event = 0;
-  const auto apply = [&](EventBody body) { Apply({{++event}, {}, 0, {}, {}, std::move(body)}, &made.knowledge); };
+  const auto apply = [&](EventBody body) {
+    Apply({{++event}, {}, 0, {}, {}, std::move(body)}, &made.knowledge);
+  };
   const auto v = [](int i) { return Term::Variable(i); };
   const auto component = [&](Term object, const char* attribute, Term value) {
-    return FactPattern{true, MakeValue(std::move(object), Term::Ontology(attribute), std::move(value)), v(0), v(1)};
+    return FactPattern{true, MakeValue(std::move(object), Term::Ontology(attribute), std::move(value)), v(0),
+                       v(1)};
   };
   for (std::int64_t i = 0; i < made.triads; ++i) {
     const std::string number = std::to_string(i);
-    CompositeState state{{++id},
-                         {component(v(2), "holding", Term::Set({})),
-                          component(v(3), "kind", Term::Ontology("kind" + number)),
-                          component(v(3), "size", Term::Ontology("size" + number)), component(v(3), "place", v(4)),
-                          component(v(2), "place", v(4))},
-                         {},
-                         {}};
+    CompositeState state{
+        {++id},
+        {component(v(2), "holding", Term::Set({})), component(v(3), "kind", Term::Ontology("kind" + number)),
+         component(v(3), "size", Term::Ontology("size" + number)), component(v(3), "place", v(4)),
+         component(v(2), "place", v(4))},
+        {},
+        {}};
     apply(CompositeStateCreated{state, Origin::kSeed, {}});
     Model causal;
     causal.id = {++id};
@@ -54,7 +57,8 @@ inline ManyModels MakeManyModels(std::int64_t models) {
   return made;
 }
 
-// What is seen in one frame: the hand, and things of `kThingsInSight` kinds, spread over all kinds that are known.
+// What is seen in one frame: the hand, and things of `kThingsInSight` kinds, spread over all kinds that are
+// known.
 struct SeenThing {
   std::string name;
   std::int64_t kind = 0;
@@ -74,7 +78,8 @@ inline Situation SeeFrame(const ManyModels& many, std::int64_t frame) {
   Situation situation(interval);
   const auto see = [&](Term object, const char* attribute, Term value) {
     SituationFact fact;
-    fact.fact = {true, MakeValue(std::move(object), Term::Ontology(attribute), std::move(value)), interval, 1};
+    fact.fact = {true, MakeValue(std::move(object), Term::Ontology(attribute), std::move(value)), interval,
+                 1};
     situation.Add(std::move(fact));
   };
   const auto place = [](std::int64_t i) { return Term::Entity("place" + std::to_string(i)); };

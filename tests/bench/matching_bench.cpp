@@ -1,8 +1,8 @@
-// How the cost of matching a fact grows with the knowledge that has nothing to do with it, beside CLIPS with the same
-// rules and facts; joins that could explode.
+// How the cost of matching a fact grows with the knowledge that has nothing to do with it, beside CLIPS with
+// the same rules and facts; joins that could explode.
 //
-// CLIPS (a Rete engine, Debian package clips) runs as a program of its own and measures itself between loading its
-// rules and its end; where it is not installed its rows say so.
+// CLIPS (a Rete engine, Debian package clips) runs as a program of its own and measures itself between
+// loading its rules and its end; where it is not installed its rows say so.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -54,7 +54,8 @@ void MatchFactsOfAFrame(benchmark::State& state) {
     found += ChainFrame(many, &situation);
   }
   const double facts = static_cast<double>(state.iterations()) * kFactsInFrame;
-  state.counters["ns_a_fact"] = benchmark::Counter(facts / 1e9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns_a_fact"] =
+      benchmark::Counter(facts / 1e9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["found_a_frame"] = static_cast<double>(found) / static_cast<double>(state.iterations());
   state.counters["peak_MiB"] = PeakMemoryMiB();
 }
@@ -67,38 +68,45 @@ void MatchFactsOfAFrameWithoutIndex(benchmark::State& state) {
     Situation situation = SeeFrame(many, frame++ % kFrames);
     for (const auto& [id, record] : many.knowledge.composite_states()) AddInstances(record.state, &situation);
     for (const auto& [id, record] : many.knowledge.models()) {
-      for (Requirement& requirement : RequirementsFrom(record, situation)) situation.Add(std::move(requirement));
+      for (Requirement& requirement : RequirementsFrom(record, situation))
+        situation.Add(std::move(requirement));
     }
   }
   const double facts = static_cast<double>(state.iterations()) * kFactsInFrame;
-  state.counters["ns_a_fact"] = benchmark::Counter(facts / 1e9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["ns_a_fact"] =
+      benchmark::Counter(facts / 1e9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-// The same rules and facts in CLIPS's language: an instance fact for each composite state, and from it one for the
-// requirement model; a frame's facts are asserted, run, and retracted.
+// The same rules and facts in CLIPS's language: an instance fact for each composite state, and from it one
+// for the requirement model; a frame's facts are asserted, run, and retracted.
 std::string ClipsProgram(const ManyModels& many) {
   std::ostringstream out;
   for (std::int64_t i = 0; i < many.triads; ++i) {
-    out << "(defrule cst" << i << " (val ?h holding nothing) (val ?x kind kind" << i << ") (val ?x size size" << i
-        << ") (val ?x place ?p) (val ?h place ?p) => (assert (icst cst" << i << " ?h ?x ?p)))\n"
-        << "(defrule mreq" << i << " (icst cst" << i << " ?h ?x ?p) => (assert (imdl mdl" << i << " ?h ?x)))\n";
+    out << "(defrule cst" << i << " (val ?h holding nothing) (val ?x kind kind" << i << ") (val ?x size size"
+        << i << ") (val ?x place ?p) (val ?h place ?p) => (assert (icst cst" << i << " ?h ?x ?p)))\n"
+        << "(defrule mreq" << i << " (icst cst" << i << " ?h ?x ?p) => (assert (imdl mdl" << i
+        << " ?h ?x)))\n";
   }
   for (std::int64_t frame = 0; frame < kFrames; ++frame) {
     out << "(deffunction frame" << frame << " () (assert (val h holding nothing)) (assert (val h place place"
         << frame % 4 << "))";
     for (const SeenThing& thing : ThingsInSight(many, frame)) {
-      out << "(assert (val " << thing.name << " kind kind" << thing.kind << "))(assert (val " << thing.name << " size size"
-          << thing.kind << "))(assert (val " << thing.name << " place place" << thing.place << "))";
+      out << "(assert (val " << thing.name << " kind kind" << thing.kind << "))(assert (val " << thing.name
+          << " size size" << thing.kind << "))(assert (val " << thing.name << " place place" << thing.place
+          << "))";
     }
     out << "(run) (bind ?*found* (+ ?*found* (length$ (find-all-facts ((?f icst)) TRUE))"
         << " (length$ (find-all-facts ((?f imdl)) TRUE)))) (do-for-all-facts ((?f val)) TRUE (retract ?f))"
-        << " (do-for-all-facts ((?f icst)) TRUE (retract ?f)) (do-for-all-facts ((?f imdl)) TRUE (retract ?f)))\n";
+        << " (do-for-all-facts ((?f icst)) TRUE (retract ?f)) (do-for-all-facts ((?f imdl)) TRUE (retract "
+           "?f)))\n";
   }
   out << "(deffunction all () ";
   for (std::int64_t frame = 0; frame < kFrames; ++frame) out << "(frame" << frame << ")";
   out << ")\n(deffunction measure () (all) (bind ?*found* 0) (bind ?start (time)) (all)"
       << " (printout t \"seconds \" (- (time) ?start) \" found \" ?*found* crlf))\n(measure)\n(exit)\n";
-  return "(defglobal ?*found* = 0)\n(assert (val none none none)) (assert (icst none)) (assert (imdl none))\n" + out.str();
+  return "(defglobal ?*found* = 0)\n(assert (val none none none)) (assert (icst none)) (assert (imdl "
+         "none))\n" +
+         out.str();
 }
 
 struct ClipsResult {
@@ -109,7 +117,8 @@ struct ClipsResult {
 // Nothing if there is no CLIPS here or it did not answer.
 std::optional<ClipsResult> RunClips(const ManyModels& many) {
   const std::string file =
-      (std::filesystem::temp_directory_path() / ("aerascope_bench_" + std::to_string(getpid()) + ".clp")).string();
+      (std::filesystem::temp_directory_path() / ("aerascope_bench_" + std::to_string(getpid()) + ".clp"))
+          .string();
   std::ofstream(file) << ClipsProgram(many);
   FILE* pipe = popen(("clips -f2 '" + file + "' 2>/dev/null").c_str(), "r");
   if (!pipe) return std::nullopt;
@@ -160,8 +169,9 @@ void EightComponentsTenFactsEach(benchmark::State& state) {
   Situation situation(interval);
   for (int c = 0; c < 8; ++c) {
     const Term attribute = Term::Ontology("attribute" + std::to_string(c));
-    condition.components.push_back({true, MakeValue(Term::Variable(c + 3), attribute, joined ? Term::Variable(2) : Term::Wildcard()),
-                                    Term::Variable(0), Term::Variable(1)});
+    condition.components.push_back(
+        {true, MakeValue(Term::Variable(c + 3), attribute, joined ? Term::Variable(2) : Term::Wildcard()),
+         Term::Variable(0), Term::Variable(1)});
     for (int i = 0; i < 10; ++i) {
       SituationFact fact;
       fact.fact = {true,
@@ -184,9 +194,28 @@ void EightComponentsTenFactsEach(benchmark::State& state) {
 }
 
 BENCHMARK(EightComponentsTenFactsEach)->ArgName("joined")->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond);
-BENCHMARK(MatchFactsOfAFrame)->ArgName("models")->Arg(100)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMicrosecond);
-BENCHMARK(MatchFactsOfAFrameWithoutIndex)->ArgName("models")->Arg(100)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMicrosecond);
-BENCHMARK(ClipsOnTheSame)->ArgName("models")->Arg(100)->Arg(1000)->Arg(10000)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(MatchFactsOfAFrame)
+    ->ArgName("models")
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(MatchFactsOfAFrameWithoutIndex)
+    ->ArgName("models")
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(ClipsOnTheSame)
+    ->ArgName("models")
+    ->Arg(100)
+    ->Arg(1000)
+    ->Arg(10000)
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace aerascope

@@ -1,0 +1,114 @@
+// Induction from failed predictions: the example of semantics 10.8, and this project's rules for it.
+#include "engine/reason/failure_induction.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/engine/reason/agent.h"
+
+namespace aerascope {
+namespace {
+
+using ::testing::Contains;
+
+std::vector<const ModelRecord*> Vetoes(const Agent& agent) {
+  return agent.Models(ModelKind::kStrongRequirement);
+}
+
+// How long before the effect's frame the condition held, milliseconds.
+std::int64_t OffsetMs(const Model& veto) {
+  for (const Guard& guard : veto.forward) {
+    if (Term::Variable(*guard.target) == veto.rhs.after) return guard.expression[1].duration().us / 1000;
+  }
+  return 0;
+}
+
+// A hand holding a cube beside which a sphere lies; both things have positions. S0 and S3 are given.
+class Release : public ::testing::Test {
+ protected:
+  Release()
+      : agent({Holds(Val("h", "essence", O("hand")), kAlways), Holds(Val("c", "shape", O("cube")), kAlways),
+               Holds(Val("s", "shape", O("sphere")), kAlways)},
+              {HandAt(1), ThingAt(2, "shape")}) {}
+
+  void SenseHolding(bool holding) {
+    agent.Sense({Val("h", "position", N(at)), Val("c", "position", N(at)), Val("s", "position", N(sphere)),
+                 Val("h", "holding", holding ? Set({E("c")}) : Set({}))});
+  }
+  // The release is learned once, and works a second time: the causal model has 2 of 2, its requirement too.
+  void LearnToRelease() {
+    SenseHolding(true);
+    agent.Do(Cmd("release", {E("h")}));
+    SenseHolding(false);
+  }
+  void HoldStill(int frames) {
+    for (int i = 0; i < frames; ++i) SenseHolding(true);
+  }
+
+  Agent agent;
+  double at = 5;
+  double sphere = 5;
+};
+
+TEST_F(Release, AFailureVetoesTheConditionInThreeVariants) {
+  // OpenAERA (semantics 10.8).
+  // Given a learned release with the hand, the cube in it and the sphere in one place for three frames,
+  LearnToRelease();
+  const ModelRecord* release = agent.Models(ModelKind::kCausal).at(0);
+  const ModelRecord* requirement = agent.Models(ModelKind::kWeakRequirement).at(0);
+  sphere = 6;  // elsewhere, but where the hand was before
+  SenseHolding(true);
+  at = 6;
+  HoldStill(3);
+  // when a release fails,
+  agent.Do(Cmd("release", {E("h")}));
+  SenseHolding(true);
+  // then the condition that was thought sufficient is vetoed for the same frame, one and two frames earlier,
+  // each also with more of what held then; each veto starts at 1 of 1.
+  std::map<std::int64_t, int> of_offset;
+  std::map<std::int64_t, int> on_known;
+  for (const ModelRecord* veto : Vetoes(agent)) {
+    EXPECT_EQ(TargetModel(veto->model), release->model.id);
+    EXPECT_EQ(veto->evidence, (Evidence{1, 1}));
+    EXPECT_FALSE(veto->strong);
+    EXPECT_EQ(veto->origin, Origin::kPredictionFailure);
+    of_offset[OffsetMs(veto->model)] += 1;
+    if (RequiredState(veto->model) == RequiredState(requirement->model)) on_known[OffsetMs(veto->model)] += 1;
+  }
+  EXPECT_EQ(of_offset, (std::map<std::int64_t, int>{{0, 2}, {100, 2}, {200, 2}})) << agent.Text();
+  EXPECT_EQ(on_known, (std::map<std::int64_t, int>{{0, 1}, {100, 1}, {200, 1}})) << agent.Text();
+  EXPECT_EQ(release->evidence, (Evidence{1, 2}));
+  EXPECT_EQ(requirement->evidence, (Evidence{1, 2}));
+}
+
+TEST_F(Release, WhatWarnedWronglyDropsToAHalf) {
+  // OpenAERA (semantics 10.8: when release later succeeds, the three that had fired drop to .5).
+  LearnToRelease();
+  const ModelRecord* requirement = agent.Models(ModelKind::kWeakRequirement).at(0);
+  HoldStill(3);
+  agent.Do(Cmd("release", {E("h")}));
+  SenseHolding(true);
+  ASSERT_EQ(Vetoes(agent).size(), 6u);
+  // Given the sphere elsewhere, so that only the three vetoes on the known condition speak,
+  sphere = 9;
+  HoldStill(3);
+  // when a teacher releases all the same, and it works,
+  agent.Do(Cmd("release", {E("h")}));
+  SenseHolding(false);
+  // then these three were wrong.
+  int halved = 0;
+  for (const ModelRecord* veto : Vetoes(agent)) {
+    const bool spoke = RequiredState(veto->model) == RequiredState(requirement->model);
+    EXPECT_EQ(veto->evidence, spoke ? (Evidence{1, 2}) : (Evidence{1, 1})) << ToText(veto->model);
+    halved += spoke ? 1 : 0;
+  }
+  EXPECT_EQ(halved, 3);
+  // The prediction was silent and right: causal and requirement model rise again.
+  EXPECT_EQ(agent.Models(ModelKind::kCausal).at(0)->evidence, (Evidence{2, 3}));
+  EXPECT_EQ(requirement->evidence, (Evidence{2, 3}));
+}
+
+}  // namespace
+}  // namespace aerascope
