@@ -151,6 +151,17 @@ bool IsVector(const Term& term) {
   return term.IsStruct("vec2") || term.IsStruct("vec3");
 }
 
+// a + b or a - b microseconds; nothing where the result is further away than anything a clock can show.
+std::optional<std::int64_t> Shifted(std::string_view op, std::int64_t a, std::int64_t b) {
+  constexpr std::int64_t kFurthest = 2 * kForever.us;
+  std::int64_t us = 0;
+  const bool good = op == "+"   ? !__builtin_add_overflow(a, b, &us)
+                    : op == "-" ? !__builtin_sub_overflow(a, b, &us)
+                                : false;
+  if (!good || us > kFurthest || us < -kFurthest) return std::nullopt;
+  return us;
+}
+
 std::optional<Term> Apply(std::string_view op, const Term& a, const Term& b) {
   const auto number = [](double value) -> std::optional<Term> {
     if (!std::isfinite(value)) return std::nullopt;
@@ -164,15 +175,15 @@ std::optional<Term> Apply(std::string_view op, const Term& a, const Term& b) {
     return std::nullopt;
   }
   if (a.is(TermKind::kTime) && b.is(TermKind::kDuration)) {
-    if (op == "+") return Term::Instant(a.time() + b.duration());
-    if (op == "-") return Term::Instant(a.time() - b.duration());
-    return std::nullopt;
+    const auto us = Shifted(op, a.time().us, b.duration().us);
+    return us ? std::optional(Term::Instant({*us})) : std::nullopt;
   }
-  if (a.is(TermKind::kTime) && b.is(TermKind::kTime) && op == "-") return Term::Span(a.time() - b.time());
-  if (a.is(TermKind::kDuration) && b.is(TermKind::kDuration)) {
-    if (op == "+") return Term::Span(a.duration() + b.duration());
-    if (op == "-") return Term::Span(a.duration() - b.duration());
-    return std::nullopt;
+  const bool times = a.is(TermKind::kTime) && b.is(TermKind::kTime) && op == "-";
+  const bool durations = a.is(TermKind::kDuration) && b.is(TermKind::kDuration);
+  if (times || durations) {
+    const auto us =
+        times ? Shifted(op, a.time().us, b.time().us) : Shifted(op, a.duration().us, b.duration().us);
+    return us ? std::optional(Term::Span({*us})) : std::nullopt;
   }
   // A rate is per second: rate * duration is a difference, difference / duration a rate.
   if (b.is(TermKind::kDuration) && (a.is(TermKind::kNumber) || IsVector(a))) {

@@ -75,6 +75,23 @@ TEST(Evaluate, GivesNothingWhereItCannotCompute) {
   EXPECT_EQ(Evaluate(Struct("+", {Struct("vec2", {N(1), N(2)}), N(3)}), none), std::nullopt);
 }
 
+// Sums of times could overflow, which is undefined.
+TEST(Evaluate, TimesBeyondAllClocksHaveNoValue) {
+  const auto sum = [](const Term& a, const Term& b) {
+    return Evaluate(Term::Struct("+", {a, b}), Bindings());
+  };
+  const Term forever = Term::Instant(kForever);
+  const Term eternity = Term::Span({kForever.us});
+  EXPECT_EQ(sum(forever, Term::Span(Milliseconds(100))), Term::Instant(kForever + Milliseconds(100)));
+  const auto twice = sum(forever, eternity);
+  ASSERT_TRUE(twice.has_value());
+  EXPECT_FALSE(sum(*twice, eternity).has_value());
+  EXPECT_FALSE(sum(*sum(eternity, eternity), eternity).has_value());
+  const Term past = Term::Instant({-kForever.us});
+  EXPECT_EQ(Evaluate(Term::Struct("-", {forever, past}), Bindings()), Term::Span({2 * kForever.us}));
+  EXPECT_FALSE(Evaluate(Term::Struct("*", {forever, eternity}), Bindings()).has_value());
+}
+
 TEST(Guards, RunInOrderAndOverwriteAPassedValue) {
   Bindings bindings;
   bindings.Set(0, N(20));
