@@ -66,8 +66,8 @@ std::vector<ModelId> BackwardChainer::ModelsFor(const Fact& target) const {
 std::vector<Plan> BackwardChainer::Achieve(const Quest& quest, const Frame& from) {
   std::vector<Plan> plans;
   const Fact& target = quest.target;
-  const auto skip = [&](GoalSkipReason reason) {
-    goals_.Skip(quest.goal, target, reason);
+  const auto skip = [&](GoalSkipReason reason, EventId because = {}) {
+    goals_.Skip(quest.goal, target, reason, because);
     return plans;
   };
   if (!Spend(quest)) return plans;
@@ -119,7 +119,7 @@ std::vector<Plan> BackwardChainer::Achieve(const Quest& quest, const Frame& from
     return a.steps.size() < b.steps.size();
   });
   if (plans.size() > kMaxPlansPerGoal) plans.erase(plans.begin() + kMaxPlansPerGoal, plans.end());
-  if (!plans.empty() && plans.front().vetoed) skip(GoalSkipReason::kVetoed);
+  if (!plans.empty() && plans.front().vetoed) skip(GoalSkipReason::kVetoed, plans.front().veto);
   return plans;
 }
 
@@ -209,6 +209,11 @@ std::vector<BackwardChainer::Way> BackwardChainer::Enable(const ModelRecord& rec
     }
     through.goal = *imdl_goal;
     EnableThrough(*requirement, record, bindings, required, through, from, &ways);
+  }
+  if (imdl_goal && ways.empty()) {
+    const EventId veto = VetoOnInstance(model, bindings, from);
+    const Fact refused{true, imdl, quest.target.interval, quest.target.confidence};
+    if (veto.valid()) goals_.Skip(quest.goal, refused, GoalSkipReason::kVetoed, veto);
   }
   if (!needs_requirement && model.template_arguments.empty()) {
     Way way;
@@ -326,7 +331,7 @@ bool BackwardChainer::Allow(const ModelRecord& requirement, const CompositeState
     Plan plan = held->plan;
     plan.steps.insert(plan.steps.end(), way.plan.steps.begin(), way.plan.steps.end());
     plan.score *= way.plan.score;
-    plan.vetoed = plan.vetoed || way.plan.vetoed;
+    plan.TakeVetoOf(way.plan);
     plan.familiar += way.plan.familiar;
     plan.end = way.plan.end;
     if (!way.plan.steps.empty()) {
@@ -490,7 +495,7 @@ std::vector<Plan> BackwardChainer::InOrder(const std::vector<Fact>& wanted, cons
         Plan both = plan;
         both.steps.insert(both.steps.end(), more.steps.begin(), more.steps.end());
         both.score *= more.score;
-        both.vetoed = both.vetoed || more.vetoed;
+        both.TakeVetoOf(more);
         both.familiar += more.familiar;
         both.end = std::move(more.end);
         extended.push_back(std::move(both));
@@ -590,7 +595,7 @@ std::vector<BackwardChainer::Firing> BackwardChainer::FireOnFact(const ModelReco
     Way there = way;
     there.plan.steps.insert(there.plan.steps.end(), one.plan.steps.begin(), one.plan.steps.end());
     there.plan.score *= one.plan.score;
-    there.plan.vetoed = there.plan.vetoed || one.plan.vetoed;
+    there.plan.TakeVetoOf(one.plan);
     there.plan.familiar += one.plan.familiar;
     there.plan.end = one.plan.end;
     // What allows the model to fire must still hold there.
@@ -633,7 +638,7 @@ std::vector<BackwardChainer::Firing> BackwardChainer::FireOnInstance(const Model
     Plan plan = way.plan;
     plan.steps.insert(plan.steps.end(), there.plan.steps.begin(), there.plan.steps.end());
     plan.score *= there.plan.score;
-    plan.vetoed = plan.vetoed || there.plan.vetoed;
+    plan.TakeVetoOf(there.plan);
     plan.familiar += there.plan.familiar;
     plan.end = there.plan.end;
     const bool moved = !there.plan.steps.empty();
@@ -694,7 +699,11 @@ std::optional<BackwardChainer::Firing> BackwardChainer::Finish(const ModelRecord
   if (wanted && !BringsAbout(effect.fact, *wanted)) return std::nullopt;
   firing.plan = way.plan;
   firing.plan.score *= record.evidence.rate();
-  firing.plan.vetoed = firing.plan.vetoed || Vetoed(model, firing.bindings, way);
+  const EventId veto = firing.plan.vetoed ? EventId{} : VetoOn(model, firing.bindings, way);
+  if (veto.valid()) {
+    firing.plan.vetoed = true;
+    firing.plan.veto = veto;
+  }
   firing.step = std::move(step);
   if (!firing.step.causal_model.valid()) {
     firing.step.causal_model = model.id;
@@ -705,16 +714,35 @@ std::optional<BackwardChainer::Firing> BackwardChainer::Finish(const ModelRecord
   return firing;
 }
 
-// Does a strong requirement model stand against the firing? A tie goes to the veto (semantics 3.3).
-bool BackwardChainer::Vetoed(const Model& model, const Bindings& bindings, const Way& way) const {
+// The strong requirement model's word that stands against the firing, if one does. A tie goes to the veto
+// (semantics 3.3).
+EventId BackwardChainer::VetoOn(const Model& model, const Bindings& bindings, const Way& way) const {
   way.plan.end->AskRequirements(knowledge_, model.id);
   for (const Requirement& requirement : way.plan.end->situation().requirements()) {
     if (requirement.target != model.id || requirement.imdl.positive) continue;
     Bindings trial = bindings;
     if (!BindInstance(model, requirement.imdl.payload, trial)) continue;
-    if (!way.required || way.confidence <= requirement.imdl.confidence) return true;
+    if (!way.required || way.confidence <= requirement.imdl.confidence) return EventOf(requirement);
   }
-  return false;
+  return {};
+}
+
+// What is said against the model's instance at that moment, whatever would have to hold besides.
+EventId BackwardChainer::VetoOnInstance(const Model& model, const Bindings& bindings, const Frame& at) const {
+  at->AskRequirements(knowledge_, model.id);
+  Bindings timeless = bindings;
+  for (const int variable : TimeVariables(model)) timeless.Clear(variable);
+  for (const Requirement& requirement : at->situation().requirements()) {
+    if (requirement.target != model.id || requirement.imdl.positive) continue;
+    Bindings trial = timeless;
+    if (BindInstance(model, requirement.imdl.payload, trial)) return EventOf(requirement);
+  }
+  return {};
+}
+
+// Where the word was only imagined, the model that would say it.
+EventId BackwardChainer::EventOf(const Requirement& requirement) const {
+  return requirement.event.valid() ? requirement.event : knowledge_.Find(requirement.requirement)->event;
 }
 
 bool BackwardChainer::StillAllowed(const Model& model, const Way& way) const {

@@ -111,7 +111,9 @@ class BackwardChainer {
   std::optional<Firing> Finish(const ModelRecord& record, const Way& way, const Bindings& bindings, Step step,
                                const Quest& quest, const Fact* wanted);
   std::optional<Plan> Advance(Firing firing, const Fact& wanted);
-  bool Vetoed(const Model& model, const Bindings& bindings, const Way& way) const;
+  EventId VetoOn(const Model& model, const Bindings& bindings, const Way& way) const;
+  EventId VetoOnInstance(const Model& model, const Bindings& bindings, const Frame& at) const;
+  EventId EventOf(const Requirement& requirement) const;
   bool StillAllowed(const Model& model, const Way& way) const;
   bool Expected(const FactPattern& part, const ImaginedFrame& frame) const;
 

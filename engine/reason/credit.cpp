@@ -28,9 +28,11 @@ void RateModel(ModelId id, bool right, EventId outcome, Time now, const Reasoner
   const Rating before{record->evidence, record->strong, record->state};
   const Rating after = Rate(before, right, parameters);
   if (after == before) return;
+  // What it stood at came of its last rating, or of how it was made.
+  const EventId stood = record->rated.valid() ? record->rated : record->event;
   const EventId updated = journal->Write(
       now, EvidenceUpdated{id, right, before.evidence, after.evidence, before.strong, after.strong},
-      {outcome});
+      {outcome, stood});
   if (after.state == before.state) return;
   if (after.state == ModelState::kDeleted)
     return Delete(id, StateChangeReason::kRating, updated, now, journal);

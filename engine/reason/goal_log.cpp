@@ -29,10 +29,11 @@ GoalEntry GoalLog::Set(const GoalEntry& super, ModelId model, const Fact& target
   return it->second;
 }
 
-void GoalLog::Skip(const GoalEntry& super, const Fact& target, GoalSkipReason reason) {
+void GoalLog::Skip(const GoalEntry& super, const Fact& target, GoalSkipReason reason, EventId because) {
   const Fact closed = WithClosedPayload(target);
   if (!skipped_.insert(KeyOf(super.id, closed)).second) return;
-  journal_.Write(now_, GoalSkipped{super.id, closed, reason}, {super.event});
+  const EventId skipped = journal_.Write(now_, GoalSkipped{super.id, closed, reason}, {super.event, because});
+  if (reason == GoalSkipReason::kVetoed) vetoed_.push_back(skipped);
 }
 
 }  // namespace aerascope

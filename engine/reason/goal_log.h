@@ -23,7 +23,11 @@ class GoalLog {
   // The goal for this target under its super goal. `model` leads from it to the super goal; none inside a
   // composite state.
   GoalEntry Set(const GoalEntry& super, ModelId model, const Fact& target);
-  void Skip(const GoalEntry& super, const Fact& target, GoalSkipReason reason);
+  // `because`: what stands against it, where something does.
+  void Skip(const GoalEntry& super, const Fact& target, GoalSkipReason reason, EventId because = {});
+
+  // What was not pursued because of a veto, in order.
+  const std::vector<EventId>& vetoed() const { return vetoed_; }
 
   // All goals set, oldest first, with the goal each serves.
   struct Line {
@@ -39,6 +43,7 @@ class GoalLog {
   std::map<std::string, GoalEntry> goals_;
   std::set<std::string> skipped_;
   std::vector<Line> lines_;
+  std::vector<EventId> vetoed_;
 };
 
 }  // namespace aerascope

@@ -29,8 +29,10 @@ int Hypotheses::Consider(const ModelRecord& requirement, const CompositeStateRec
         const int variable = candidate.hypothesis.variable_of[old];
         if (variable >= 0 && value) candidate.bindings.Set(variable, *value);
       }
-      if (!openaera && BlackListed(candidate.hypothesis))
+      if (const ModelRecord* known = openaera ? nullptr : BlackListed(candidate.hypothesis)) {
         candidate.comparison.rejection = AnalogyVerdict::kBlackListed;
+        candidate.refuted = known->rated;
+      }
     }
     it->second = static_cast<int>(candidates_.size());
     candidates_.push_back(std::move(candidate));
@@ -38,13 +40,14 @@ int Hypotheses::Consider(const ModelRecord& requirement, const CompositeStateRec
   return it->second >= 0 && !(*this)[it->second].comparison.rejection ? it->second : -1;
 }
 
-// Was the same hypothesis made before, failed, and deleted?
-bool Hypotheses::BlackListed(const Hypothesis& hypothesis) const {
+// The same hypothesis, if it was made before, failed, and was deleted.
+const ModelRecord* Hypotheses::BlackListed(const Hypothesis& hypothesis) const {
   const CompositeStateId state = knowledge_.FindState(knowledge_.CanonicalOf(hypothesis.state).hash);
-  if (!state.valid()) return false;
+  if (!state.valid()) return nullptr;
   const ModelId model =
       knowledge_.FindModel(knowledge_.CanonicalOf(WithState(hypothesis, *knowledge_.Find(state))).hash);
-  return model.valid() && knowledge_.Find(model)->state == ModelState::kDeleted;
+  const ModelRecord* record = knowledge_.Find(model);
+  return record && record->state == ModelState::kDeleted ? record : nullptr;
 }
 
 // The hypothetical requirement, about a composite state that may list its variables in another order.
@@ -92,8 +95,9 @@ AnalogyCompared Hypotheses::Describe(const Candidate& candidate, AnalogyVerdict 
 }
 
 std::vector<EventId> Hypotheses::CausesOf(const Candidate& candidate) const {
-  std::vector<EventId> causes{candidate.goal.event, knowledge_.Find(candidate.comparison.requirement)->event,
-                              knowledge_.Find(candidate.comparison.source)->event};
+  const ModelRecord& requirement = *knowledge_.Find(candidate.comparison.requirement);
+  std::vector<EventId> causes{candidate.goal.event, requirement.event, requirement.rated,
+                              knowledge_.Find(candidate.comparison.source)->event, candidate.refuted};
   for (const ComparedComponent& component : candidate.comparison.components) {
     for (const SituationFact& fact : context_.present.facts()) {
       const bool found = component.found.valid() && fact.id == component.found;
@@ -110,7 +114,9 @@ std::vector<EventId> Hypotheses::CausesOf(const Candidate& candidate) const {
 void Hypotheses::ReportRejected() {
   for (const Candidate& candidate : candidates_) {
     if (!candidate.comparison.rejection) continue;
-    journal_.Write(context_.now, Describe(candidate, *candidate.comparison.rejection), CausesOf(candidate));
+    const EventId reported = journal_.Write(
+        context_.now, Describe(candidate, *candidate.comparison.rejection), CausesOf(candidate));
+    if (candidate.comparison.rejection == AnalogyVerdict::kBlackListed) refused_.push_back(reported);
   }
 }
 

@@ -33,6 +33,7 @@ class Hypotheses {
     bool adopted = false;
     ModelId requirement;  // once adopted
     EventId created;      // the event that created it, if adoption did
+    EventId refuted;      // of a black-listed one: the event that made it fall
   };
 
   // Compares the requirement's composite state (under the bindings the goal gives) with the frame, once for
@@ -54,9 +55,11 @@ class Hypotheses {
   // through hypotheses were looked for.
   void ReportRejected();
   void ReportLeftOver(bool searched);
+  // The comparisons reported as black-listed, in order.
+  const std::vector<EventId>& refused() const { return refused_; }
 
  private:
-  bool BlackListed(const Hypothesis& hypothesis) const;
+  const ModelRecord* BlackListed(const Hypothesis& hypothesis) const;
   Model WithState(const Hypothesis& hypothesis, const CompositeStateRecord& record) const;
   AnalogyCompared Describe(const Candidate& candidate, AnalogyVerdict verdict) const;
   std::vector<EventId> CausesOf(const Candidate& candidate) const;
@@ -68,6 +71,7 @@ class Hypotheses {
   const KnowledgeBase& knowledge_;
   std::vector<Candidate> candidates_;
   std::map<std::string, int> position_of_;
+  std::vector<EventId> refused_;
 };
 
 }  // namespace aerascope

@@ -22,12 +22,18 @@ struct Plan {
   std::vector<Step> steps;
   double score = 1;     // product of the confidences of all models along it (semantics 6.2)
   bool vetoed = false;  // a strong requirement model stands against one of the steps
+  EventId veto;         // the first that does, while vetoed
   int familiar = 0;     // components kept by its hypotheses, in all
   // OpenAERA's ranking looks at the last model only: its confidence, and how long before the goal it must
   // fire.
   double solution_confidence = 1;
   Duration solution_delay;
   std::shared_ptr<ImaginedFrame> end;  // shared by all plans that go through this frame
+
+  void TakeVetoOf(const Plan& other) {
+    if (!vetoed) veto = other.veto;
+    vetoed = vetoed || other.vetoed;
+  }
 };
 
 // What one decision is made with.

@@ -158,10 +158,28 @@ class Planner {
     const Tried& best = tried_[*choice.chosen];
     decision.outcome.push_back(
         {PlanCommitted{best.goal.id, best.trial.simulation, simulations, plans[*choice.chosen].score},
-         {best.trial.ended, best.goal.event}});
+         ReasonsFor(best)});
     decision.command = best.plan.steps.front().command;
     decision.steps = best.plan.steps;
     return decision;
+  }
+
+  // Why this plan: that it worked in the head, what made the models it relies on as sure as they are, and
+  // what ruled other ways out.
+  std::vector<EventId> ReasonsFor(const Tried& best) const {
+    std::vector<EventId> reasons{best.trial.ended, best.goal.event};
+    const auto add = [&](EventId reason) {
+      const bool known = std::find(reasons.begin(), reasons.end(), reason) != reasons.end();
+      if (reason.valid() && !known) reasons.push_back(reason);
+    };
+    for (const Step& step : best.plan.steps) {
+      for (const ModelId id : {step.causal_model, step.requirement}) {
+        if (const ModelRecord* record = context_.knowledge.Find(id)) add(record->rated);
+      }
+    }
+    for (const EventId vetoed : goals_.vetoed()) add(vetoed);
+    for (const EventId refused : hypotheses_.refused()) add(refused);
+    return reasons;
   }
 
   const PlanningTask& task_;

@@ -128,12 +128,18 @@ class Simulator {
         if (only_at_once && Known(firing.target)) continue;
         std::vector<EventId> causes{because, record.event};
         std::vector<ModelId> requirements;
+        const auto word_of = [&](const Requirement& requirement) {
+          return requirement.event.valid() ? requirement.event
+                                           : knowledge_.Find(requirement.requirement)->event;
+        };
         for (const std::size_t i : firing.requirements) {
           const Requirement& requirement = frame_.situation().requirements()[i];
           requirements.push_back(requirement.requirement);
-          causes.push_back(requirement.event.valid() ? requirement.event
-                                                     : knowledge_.Find(requirement.requirement)->event);
+          causes.push_back(word_of(requirement));
         }
+        // What it goes ahead in spite of.
+        for (const std::size_t i : firing.vetoes)
+          causes.push_back(word_of(frame_.situation().requirements()[i]));
         SituationFact effect;
         effect.fact = firing.target;
         const PredictionId prediction = journal_.NewId<PredictionId>();
