@@ -17,7 +17,8 @@ from pathlib import Path
 
 import support
 
-TOPICS = ["demo_test", "trials_test", "killed_run_test", "bad_input_test", "comparison_test", "questions_test"]
+TOPICS = ["demo_test", "trials_test", "killed_run_test", "bad_input_test", "comparison_test", "questions_test",
+          "scenarios_test"]
 
 
 class CountedResult(unittest.TextTestResult):
