@@ -12,11 +12,13 @@ namespace {
 std::string ReasonOf(const Run& run, const Event& event, bool success) {
   const KnowledgeBase& knowledge = run.final_knowledge();
   for (const EventId cause : event.causes) {
-    PredictionId prediction;
-    if (const auto* came_true = run.FindBody<PredictionSucceeded>(cause)) prediction = came_true->prediction;
-    if (const auto* failed = run.FindBody<PredictionFailed>(cause)) prediction = failed->prediction;
+    const auto* came_true = run.FindBody<PredictionSucceeded>(cause);
+    const auto* failed = run.FindBody<PredictionFailed>(cause);
+    if (!came_true && !failed) continue;
+    const PredictionId prediction = came_true ? came_true->prediction : failed->prediction;
     const auto* made = run.FindBody<PredictionMade>(run.CreationOf(prediction));
-    if (made) return FactText(knowledge, made->target) + (success ? " came true" : " did not come true");
+    // A veto was right when the prediction was not.
+    if (made) return FactText(knowledge, made->target) + (came_true ? " came true" : " did not come true");
   }
   return success ? "was right" : "was wrong";
 }

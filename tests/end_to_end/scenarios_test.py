@@ -9,7 +9,7 @@ import os
 import re
 from pathlib import Path
 
-from support import SCENARIOS, EndToEndTest, call, events, recorded
+from support import SCENARIOS, EndToEndTest, call, events, packed_data, recorded
 
 GOLDEN = Path(__file__).with_name("golden")
 
@@ -250,6 +250,16 @@ class HandGrabSphereLearn(EndToEndTest):
         for body in weakened:
             self.assertFalse(body["success"])  # Semantics 10.3: 1 -> .5
             self.assertEqual((body["before"]["positive"], body["after"]["positive"], body["after"]["total"]), (1, 1, 2))
+
+    # The report once said that the prediction had not come true, as the warning had been wrong.
+    def test_the_report_says_what_weakened_a_warning(self):
+        self.run_program("report", episode_of(self.NAME), "-o", "run.html", "--no-frames")
+        subjects = packed_data((self.folder / "run.html").read_text())["subjects"]
+        warnings = [body["model"]["id"] for body in bodies(self.NAME, "ModelCreated")
+                    if body["origin"] == "prediction_failure"]
+        steps = [step for warning in warnings for step in subjects[warning]["confidence"][1:]]
+        self.assertTrue(steps)
+        self.assertEqual({step["why"] for step in steps} - {"deleted"}, {"h holding [] came true"})
 
     def test_why_of_the_last_command_tells_failure_veto_new_knowledge_and_success(self):
         told, text = why_last_command(self.NAME)

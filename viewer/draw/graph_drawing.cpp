@@ -127,7 +127,9 @@ class Drawer {
     const Point tip = Moved(path.points.back(), top);
     if (band.cards[edge.to].kind != CardKind::kRequirement) DrawArrowHead(svg_, tip);
     const ModelRecord* requirement = final_.Find(band.cards[edge.from].model);
-    if (requirement != nullptr && KindOf(requirement->model) == ModelKind::kStrongRequirement) {
+    const bool prevents = requirement != nullptr && requirement->state != ModelState::kDeleted &&
+                          KindOf(requirement->model) == ModelKind::kStrongRequirement;
+    if (prevents) {
       const Point mark = Moved(path.mark, top);
       svg_.Text(mark.x, mark.y - 4, "prevents", {"d-fail", 10, TextAnchor::kMiddle});
     }

@@ -68,9 +68,11 @@ class ReportAuthor {
       return json{{"text", std::move(text)}, {"filter", filter}, {"failed", failed}};
     };
     json items = json::array();
-    items.push_back(
-        item(std::to_string(summary_.drives_reached) + " of " + Plural(drives, "goal") + " reached", "goal",
-             failed_goals > 0));
+    if (drives > 0) {
+      items.push_back(
+          item(std::to_string(summary_.drives_reached) + " of " + Plural(drives, "goal") + " reached", "goal",
+               failed_goals > 0));
+    }
     items.push_back(item(Plural(learned, "piece") + " of knowledge learned", "learned", false));
     if (analogies > 0) items.push_back(item(std::to_string(analogies) + " by analogy", "analogy", false));
     items.push_back(item(std::to_string(summary_.score.came_true) + " of " +
