@@ -38,6 +38,21 @@ std::int64_t Database::QueryInteger(std::string_view sql) {
   return sqlite3_column_int64(statement.get(), 0);
 }
 
+int Database::CopyFrom(std::span<const std::byte> image) {
+  Database source;
+  const int opened = source.Open(":memory:", SQLITE_OPEN_READWRITE);
+  if (opened != SQLITE_OK) return opened;
+  // Read only: SQLite does not write to the image.
+  auto* bytes = reinterpret_cast<unsigned char*>(const_cast<std::byte*>(image.data()));
+  const auto size = static_cast<sqlite3_int64>(image.size());
+  const int read = sqlite3_deserialize(source.get(), "main", bytes, size, size, SQLITE_DESERIALIZE_READONLY);
+  if (read != SQLITE_OK) return read;
+  sqlite3_backup* copy = sqlite3_backup_init(get(), "main", source.get(), "main");
+  if (!copy) return ProblemCode();
+  sqlite3_backup_step(copy, -1);
+  return sqlite3_backup_finish(copy);
+}
+
 int Database::Close() {
   const int code = sqlite3_close(handle_.get());
   if (code == SQLITE_OK) (void)handle_.release();

@@ -3,7 +3,9 @@
 
 #include <sqlite3.h>
 
+#include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -38,6 +40,8 @@ class Database {
   std::string QueryText(std::string_view sql);
   std::int64_t QueryInteger(std::string_view sql);
   int Close();
+  // Makes the (empty) database a copy of one that lies in memory, as sqlite3_serialize gives it.
+  int CopyFrom(std::span<const std::byte> image);
 
   sqlite3* get() const { return handle_.get(); }
   // What went wrong last, in words for people: "the disk is full", "it is damaged" ... To be asked at once.

@@ -21,6 +21,7 @@
 #include "engine/kb/term_codec.h"
 #include "engine/store/column_codec.h"
 #include "engine/store/database.h"
+#include "engine/store/empty_episode.h"
 #include "engine/store/episode_schema.h"
 
 namespace aerascope {
@@ -222,39 +223,12 @@ class Store : public ContentIds {
   std::int64_t committed() const { return committed_; }
 
  private:
+  // The tables are there already in the image of an empty episode, made when the program was built.
   bool CreateTables() {
-    if (database_.Execute("PRAGMA page_size=8192; PRAGMA synchronous=OFF; PRAGMA secure_delete=OFF; BEGIN") !=
-            SQLITE_OK ||
-        database_.Execute("PRAGMA application_id=" + std::to_string(kEpisodeApplicationId) +
-                          "; PRAGMA user_version=" + std::to_string(kSchemaVersion)) != SQLITE_OK) {
-      return false;
-    }
     tables_ = CommonTables();
     for (StoredTable& table : EventTables()) tables_.push_back(std::move(table));
-    for (const StoredTable& table : tables_) {
-      if (database_.Execute(CreateSql(table)) != SQLITE_OK) return false;
-    }
-    for (const StoredView& view : Views()) {
-      if (database_.Execute(CreateSql(view)) != SQLITE_OK) return false;
-    }
-    return InsertMeanings(tables_);
-  }
-
-  bool InsertMeanings(const std::vector<StoredTable>& tables) {
-    const Statement prepared = database_.Prepare("INSERT INTO schema_column VALUES(?,?,?)");
-    const auto insert = [&](const std::string& table, const std::string& column, const std::string& meaning) {
-      return StepWithTexts(prepared, {table, column, meaning});
-    };
-    for (const StoredTable& table : tables) {
-      if (!insert(table.name, "", table.meaning)) return false;
-      for (const StoredColumn& column : table.columns) {
-        if (!insert(table.name, column.name, column.meaning)) return false;
-      }
-    }
-    for (const StoredView& view : Views()) {
-      if (!insert(view.name, "", view.meaning)) return false;
-    }
-    return true;
+    return database_.Execute("PRAGMA synchronous=OFF; PRAGMA secure_delete=OFF") == SQLITE_OK &&
+           database_.CopyFrom(EmptyEpisodeImage()) == SQLITE_OK && database_.Execute("BEGIN") == SQLITE_OK;
   }
 
   bool InsertHeader(const EpisodeHeader& header) {
@@ -318,9 +292,11 @@ class Store : public ContentIds {
   bool Prepare(KindStatements* statements) {
     if (statements->event.get()) return true;
     std::size_t table = statements->table;
+    filled_.insert(tables_[table].name);
     statements->event = database_.Prepare(InsertSql(tables_[table]));
     if (!statements->event.get()) return Check(database_.ProblemCode());
     for (++table; table < tables_.size() && tables_[table].key == StoredTable::Key::kPosition; ++table) {
+      filled_.insert(tables_[table].name);
       statements->lists.push_back(database_.Prepare(InsertSql(tables_[table])));
       if (!statements->lists.back().get()) return Check(database_.ProblemCode());
     }
@@ -394,17 +370,12 @@ class Store : public ContentIds {
     if (!Check(database_.Execute("BEGIN"))) return;
     InsertCounts();
     for (const StoredIndex& index : Indexes(tables_)) {
-      if (HasRows(index.table)) Check(database_.Execute(index.sql));
+      if (filled_.contains(index.table)) Check(database_.Execute(index.sql));
     }
     Check(database_.Execute("UPDATE episode SET events=" + std::to_string(stored_) + ", digest='" +
                             ToText(digest_.Value()) + "'"));
     if (trouble_.empty()) Check(database_.Execute("COMMIT"));
     if (trouble_.empty()) LeaveOnePlainFile();
-  }
-
-  bool HasRows(const std::string& table) {
-    const Statement any = database_.Prepare("SELECT 1 FROM " + Quoted(table) + " LIMIT 1");
-    return any.get() && sqlite3_step(any.get()) == SQLITE_ROW;
   }
 
   void InsertCounts() {
@@ -452,6 +423,7 @@ class Store : public ContentIds {
   bool replaces_ = false;  // an earlier episode was moved aside and comes back if this one fails
   Database database_;
   std::vector<StoredTable> tables_;
+  std::set<std::string> filled_{"event_cause"};  // tables that have rows, or could have some
   Statement content_;
   std::array<Statement, kCausesPerInsert> causes_;  // for 1, 2, 3 ... rows
   std::array<KindStatements, kEventKinds> statements_;
