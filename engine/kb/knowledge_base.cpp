@@ -82,9 +82,19 @@ void KnowledgeBase::AddCompositeState(CompositeStateRecord record) {
   record.canonical = CanonicalOf(record.state);
   state_by_content_.try_emplace(record.canonical.hash, record.state.id);
   const CompositeStateId id = record.state.id;
-  for (std::size_t i = 0; i < record.state.components.size(); ++i) {
-    components_.Add(record.state.components[i].payload, {id, static_cast<std::uint32_t>(i)});
+  // Found by the component that shares its place in the index with the fewest others; a slot left open counts
+  // as eight.
+  const Term* key = nullptr;
+  std::size_t fewest = 0;
+  for (const FactPattern& component : record.state.components) {
+    const PayloadSlots slots = PayloadSlots::Of(component.payload, nullptr);
+    const std::size_t crowd =
+        key_components_.CrowdAt(component.payload) + 8 * static_cast<std::size_t>(3 - slots.exact());
+    if (key && crowd >= fewest) continue;
+    key = &component.payload;
+    fewest = crowd;
   }
+  if (key && !composite_states_.contains(id)) key_components_.Add(*key, id);
   composite_states_.insert_or_assign(id, std::move(record));
 }
 

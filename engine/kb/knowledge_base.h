@@ -84,13 +84,6 @@ struct PredictionRecord {
   EventId event;
 };
 
-// A component of a composite state, by position from 0.
-struct ComponentOf {
-  CompositeStateId state;
-  std::uint32_t component = 0;
-  bool operator==(const ComponentOf&) const = default;
-};
-
 class KnowledgeBase {
  public:
   const std::vector<Term>& symbols() const { return symbols_; }
@@ -122,10 +115,12 @@ class KnowledgeBase {
   // The models, not deleted, whose right side a wanted payload can match, variables and wildcards matching
   // anything; by id.
   std::vector<ModelId> ModelsByRhs(const Term& payload) const;
-  // Calls visit(ComponentOf) for each component of a composite state that the payload of a fact can match.
+  // Calls visit(CompositeStateId) for composite states that may hold because the payload of a fact holds.
+  // Each composite state is found by one of its components only, the one that fewest facts match: where all
+  // its components hold, that one does too.
   template <class Visit>
-  void ForEachComponentFor(const Term& payload, Visit&& visit) const {
-    components_.Find(payload, visit);
+  void ForEachStateFor(const Term& payload, Visit&& visit) const {
+    key_components_.Find(payload, visit);
   }
 
   // Changes; called by Apply only.
@@ -160,7 +155,7 @@ class KnowledgeBase {
   std::map<Hash128, CompositeStateId> state_by_content_;
   std::map<Hash128, ModelId> model_by_content_;
   std::map<ModelId, std::vector<ModelId>> requirements_;
-  PatternIndex<ComponentOf, false> components_;
+  PatternIndex<CompositeStateId, false> key_components_;
   PatternIndex<ModelId, false> left_sides_;  // of models that are not deleted
   PatternIndex<ModelId, true> right_sides_;  // of the same
 };

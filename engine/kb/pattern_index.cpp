@@ -33,8 +33,19 @@ PayloadSlots PayloadSlots::Of(const Term& payload, const Bindings* bindings) {
                      SlotOf(payload[2], bindings)};
       found.used = 3;
       break;
+    case PayloadKind::kIcst: {
+      found.slots[0] = SlotOf(payload[0], bindings);
+      // A list that is left open as a whole leaves each argument open; where a list ends is known.
+      constexpr std::uint64_t kEnded = 1;
+      const bool open = !payload[2].is(TermKind::kSet);
+      for (std::size_t i = 0; i < 2; ++i) {
+        const bool given = i < payload[2].size();
+        found.slots[i + 1] = open ? kUnknown : given ? SlotOf(payload[2][i], bindings) : kEnded;
+      }
+      found.used = 3;
+      break;
+    }
     case PayloadKind::kCommand:
-    case PayloadKind::kIcst:
     case PayloadKind::kImdl:
       found.slots[0] = SlotOf(payload[0], bindings);
       found.used = 1;

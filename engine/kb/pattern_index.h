@@ -8,7 +8,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "engine/base/flat_multimap.h"
 #include "engine/kb/match.h"
@@ -24,6 +26,10 @@ struct PayloadSlots {
   std::uint64_t kind = 0;
   std::array<std::uint64_t, 3> slots{};  // what, object, value
   int used = 0;                          // slots this kind of payload has
+  int exact() const {
+    return static_cast<int>(IsExact(slots[0])) + static_cast<int>(IsExact(slots[1])) +
+           static_cast<int>(IsExact(slots[2]));
+  }
 
   // Variables that `bindings` binds count as their values; null for none.
   static PayloadSlots Of(const Term& payload, const Bindings* bindings);
@@ -55,6 +61,16 @@ class PatternIndex {
   }
   void Remove(const Term& pattern, Owner owner) {
     ForEachKey(pattern, [&](std::uint64_t key) { owners_.Remove(key, owner); });
+  }
+
+  // How many patterns lie where this one would: what a payload that matches it has to look through.
+  std::size_t CrowdAt(const Term& pattern) const {
+    std::size_t crowd = 0;
+    bool first = true;
+    ForEachKey(pattern, [&](std::uint64_t key) {
+      if (std::exchange(first, false)) crowd = owners_.Find(key).size();
+    });
+    return crowd;
   }
 
   // Calls visit(owner) for each pattern the payload can match.

@@ -1,7 +1,6 @@
 #include "engine/reason/chaining.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -89,6 +88,19 @@ class Joiner {
   std::vector<JointMatch> matches_;
 };
 
+void ReportMet(const CompositeState& state, const Situation& situation, const OnComponentMet& on_met) {
+  std::vector<ComponentMet> met;
+  for (std::size_t i = 0; i < state.components.size(); ++i) {
+    const FactPattern& component = state.components[i];
+    const std::size_t fact = situation.FindMatch(component.payload, component.positive, {});
+    if (fact != Situation::npos) met.push_back({state.id, i, fact, 0, state.components.size()});
+  }
+  for (ComponentMet& component : met) {
+    component.met = met.size();
+    on_met(component);
+  }
+}
+
 bool ContainsCommand(const Situation& situation, const JointMatch& match) {
   return std::any_of(match.facts.begin(), match.facts.end(),
                      [&](std::size_t i) { return IsCommand(situation[i].fact.payload); });
@@ -116,31 +128,20 @@ std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* si
 }
 
 std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation, JoinWork* work,
-                                      const OnComponentMet& on_progress) {
-  // Which components of a composite state have a fact that fits. A state is joined when all have one.
+                                      const OnComponentMet& on_met) {
   // Knowledge refers only to knowledge with a smaller number, so ascending numbers find nested instances
   // first.
-  std::map<CompositeStateId, std::vector<bool>> reached;
-  std::map<CompositeStateId, int> count;
   std::set<CompositeStateId> ready;
   const auto offer = [&](std::size_t fact) {
-    knowledge.ForEachComponentFor((*situation)[fact].fact.payload, [&](const ComponentOf& component) {
-      std::vector<bool>& components = reached[component.state];
-      if (components.empty()) components.resize(knowledge.Find(component.state)->state.components.size());
-      if (components[component.component]) return;
-      components[component.component] = true;
-      const int matched = ++count[component.state];
-      const int total = static_cast<int>(components.size());
-      if (on_progress) on_progress(component, fact, matched, total);
-      if (matched == total) ready.insert(component.state);
-    });
+    knowledge.ForEachStateFor((*situation)[fact].fact.payload,
+                              [&](CompositeStateId state) { ready.insert(state); });
   };
   for (std::size_t i = 0; i < situation->facts().size(); ++i) offer(i);
   std::vector<std::size_t> added;
-  while (!ready.empty()) {
-    const CompositeStateId next = *ready.begin();
-    ready.erase(ready.begin());
-    for (const std::size_t instance : AddInstances(knowledge.Find(next)->state, situation, work)) {
+  for (auto next = ready.begin(); next != ready.end(); ++next) {
+    const CompositeState& state = knowledge.Find(*next)->state;
+    if (on_met) ReportMet(state, *situation, on_met);
+    for (const std::size_t instance : AddInstances(state, situation, work)) {
       added.push_back(instance);
       offer(instance);
     }

@@ -39,8 +39,16 @@ std::vector<JointMatch> JointMatches(const CompositeState& state, const Situatio
                                      const Bindings& bindings, const JoinLimits& limits = {},
                                      JoinWork* work = nullptr);
 
-// A fact fits a component; `matched` components have such a fact by now.
-using OnComponentMet = std::function<void(ComponentOf component, std::size_t fact, int matched, int total)>;
+// Some fact of the situation fits this component of a composite state that may hold; so do `met` of all
+// components.
+struct ComponentMet {
+  CompositeStateId state;
+  std::size_t component = 0;
+  std::size_t fact = 0;  // position of the first fact that fits
+  std::size_t met = 0;
+  std::size_t total = 0;
+};
+using OnComponentMet = std::function<void(const ComponentMet&)>;
 
 // Adds the instances of one composite state, or of all that the facts can match (nested ones before those
 // that contain them), to the situation. Returns the positions added. An instance that is there already is not
@@ -48,7 +56,7 @@ using OnComponentMet = std::function<void(ComponentOf component, std::size_t fac
 std::vector<std::size_t> AddInstances(const CompositeState& state, Situation* situation,
                                       JoinWork* work = nullptr);
 std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation* situation,
-                                      JoinWork* work = nullptr, const OnComponentMet& on_progress = {});
+                                      JoinWork* work = nullptr, const OnComponentMet& on_met = {});
 
 // What the requirement model says in this situation. Deleted models say nothing; phased out ones speak with
 // confidence 0.

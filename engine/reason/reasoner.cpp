@@ -252,16 +252,19 @@ std::vector<ModelId> Reasoner::SpokenFor(const Firing& firing) const {
 
 void Reasoner::Chain(Time at) {
   JoinWork work;
-  OnComponentMet on_progress;
+  OnComponentMet on_met;
   if (journal_.Records<InstanceProgress>()) {
-    on_progress = [&](ComponentOf component, std::size_t fact, int matched, int total) {
-      const SituationFact& found = situation_[fact];
-      if (found.permanent || !found.event.valid()) return;
-      journal_.Write(at, InstanceProgress{component.state, found.id, component.component, matched, total},
-                     {found.event});
+    on_met = [&](const ComponentMet& met) {
+      const SituationFact& fact = situation_[met.fact];
+      if (!fact.event.valid()) return;
+      journal_.Write(
+          at,
+          InstanceProgress{met.state, fact.id, static_cast<std::int64_t>(met.component),
+                           static_cast<std::int64_t>(met.met), static_cast<std::int64_t>(met.total)},
+          {fact.event});
     };
   }
-  WriteInstances(AddInstances(knowledge(), &situation_, &work, on_progress), at);
+  WriteInstances(AddInstances(knowledge(), &situation_, &work, on_met), at);
   for (const ModelId id : RequirementModelsFor(knowledge(), situation_)) OfferToRequirement(id, at);
   const std::size_t count = situation_.facts().size();
   for (std::size_t i = 0; i < count; ++i) {

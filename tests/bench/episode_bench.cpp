@@ -12,7 +12,6 @@
 #include "engine/episode/run_episode.h"
 #include "engine/query/run.h"
 #include "engine/store/episode_writer.h"
-#include "engine/store/episode_writer.h"
 #include "tests/bench/peak_memory.h"
 #include "viewer/page/report.h"
 
@@ -85,8 +84,8 @@ void ReasonThreeSecondsIntoFile(benchmark::State& state) {
 }
 BENCHMARK(ReasonThreeSecondsIntoFile)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
-// What the thread that reasons pays for its events being stored (target: under 5 %): its own CPU time with a file and
-// with a sink that drops everything, run in turns.
+// What the thread that reasons pays for its events being stored (target: under 5 %): its own CPU time with a
+// file and with a sink that drops everything, run in turns.
 void LoggingCostToTheReasoner(benchmark::State& state) {
   const Scenario scenario = ThreeSeconds();
   const std::string path = ScratchEpisode();

@@ -67,7 +67,8 @@ struct SeenThing {
 inline std::vector<SeenThing> ThingsInSight(const ManyModels& many, std::int64_t frame) {
   std::vector<SeenThing> things;
   for (int i = 0; i < kThingsInSight; ++i) {
-    things.push_back({"thing" + std::to_string(i), (i * 7919 + frame * 31) % many.triads, i % 4});
+    things.push_back(
+        {"thing" + std::to_string(i), (i * 7919 + (frame + i) / kThingsInSight * 31) % many.triads, i % 4});
   }
   return things;
 }
