@@ -385,6 +385,10 @@ std::string PayloadText(const KnowledgeBase& knowledge, const Term& payload,
   return PayloadWords(knowledge, payload, names, Writing::kAsGiven);
 }
 
+std::string StepText(const KnowledgeBase& knowledge, const PlanStep& step) {
+  return step.command.is(TermKind::kNil) ? "wait" : PayloadText(knowledge, step.command);
+}
+
 std::string PayloadWords(const KnowledgeBase& knowledge, const Term& payload,
                          const std::vector<std::string>& names, Writing writing) {
   if (IsCommand(payload)) return ValueText(payload[0], names) + " " + ValueText(payload[1], names);

@@ -67,6 +67,8 @@ std::string ExplanationOf(const KnowledgeBase& knowledge, ModelId id);
 // those of the knowledge they belong to where that can be told.
 std::string PayloadText(const KnowledgeBase& knowledge, const Term& payload,
                         const std::vector<std::string>& names = {});
+// A step of a plan: its command, or "wait" where what is wanted comes by itself.
+std::string StepText(const KnowledgeBase& knowledge, const PlanStep& step);
 // With "not " in front of an anti-fact; without interval.
 std::string FactText(const KnowledgeBase& knowledge, const Fact& fact);
 // A value for people: at most four decimals, vectors as (x, y).

@@ -371,7 +371,7 @@ class Teller {
   std::string Of(const AnalogyCompared& e) const;
   std::string Of(const SimulationStarted& e) const {
     std::vector<std::string> steps;
-    for (const PlanStep& step : e.steps) steps.push_back(Text(step.command));
+    for (const PlanStep& step : e.steps) steps.push_back(StepText(knowledge_, step));
     return "Tried in the head (" + IdText(e.simulation) +
            "): " + (steps.empty() ? "nothing" : Join(steps, ", then ")) + "; score " +
            FormatConfidence(e.score) + ".";

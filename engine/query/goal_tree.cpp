@@ -126,7 +126,7 @@ std::string_view OutcomeText(Outcome outcome) {
 
 std::string PlanText(const Run& run, const PlanRecord& plan) {
   std::vector<std::string> steps;
-  for (const PlanStep& step : plan.steps) steps.push_back(PayloadText(run.final_knowledge(), step.command));
+  for (const PlanStep& step : plan.steps) steps.push_back(StepText(run.final_knowledge(), step));
   std::string text = "plan " + IdText(plan.simulation) + ": " + Join(steps, ", ") + ", score " +
                      FormatConfidence(plan.score);
   if (plan.ended) text += ", " + std::string(EnumName(plan.outcome));

@@ -294,7 +294,7 @@ class SubjectAuthor {
     json plans = json::array();
     for (const PlanRecord& plan : goal.plans) {
       std::vector<std::string> steps;
-      for (const PlanStep& step : plan.steps) steps.push_back(PayloadText(knowledge_, step.command));
+      for (const PlanStep& step : plan.steps) steps.push_back(StepText(knowledge_, step));
       plans.push_back({{"at", plan.time.us},
                        {"text", Join(steps, ", then ")},
                        {"score", FormatConfidence(plan.score)},
