@@ -41,7 +41,7 @@ inline constexpr std::uint64_t kAny = 2;   // the pattern has a variable there
 inline constexpr std::uint64_t kOpen = 4;  // for payloads that leave the slot open
 
 inline std::uint64_t Key(std::uint64_t kind, const std::array<std::uint64_t, 3>& slots, int used) {
-  std::uint64_t key = kind;
+  std::uint64_t key = kind * 0x9e3779b97f4a7c15ULL;
   for (int i = 0; i < used; ++i) {
     key = (key ^ slots[static_cast<std::size_t>(i)]) * 0x9fb21c651e98df25ULL;
     key ^= key >> 32;
