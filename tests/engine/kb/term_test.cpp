@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <atomic>
 #include <limits>
+#include <thread>
+#include <vector>
 
 #include "engine/kb/term_codec.h"
 #include "tests/engine/event/any_event.h"
@@ -13,6 +16,31 @@
 
 namespace aerascope {
 namespace {
+
+// Own: equal terms are one, whoever makes, copies and drops them; meant for the thread sanitizer too.
+TEST(Term, AreMadeCopiedAndDroppedInAnyThread) {
+  const std::size_t before = Term::CountNodes();
+  std::atomic<bool> same = true;
+  {
+    const Term shared = MakeValue(E("h"), O("position"), Term::Struct("vec2", {N(1), N(2)}));
+    std::vector<std::thread> threads;
+    for (int t = 0; t < 4; ++t) {
+      threads.emplace_back([&shared, &same, t] {
+        std::vector<Term> kept;
+        for (int i = 0; i < 3000; ++i) {
+          // All threads make the same few terms at about the same time, and let go of them again.
+          const Term mine = MakeValue(E("h"), O("position"), Term::Struct("vec2", {N(1), N(i % 7)}));
+          if ((mine == shared) != (i % 7 == 2)) same = false;
+          kept.push_back(i % 3 == 0 ? shared : mine);
+          if (i % 50 == t) kept.clear();
+        }
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+  }
+  EXPECT_TRUE(same);
+  EXPECT_EQ(Term::CountNodes(), before) << "terms are left over";
+}
 
 TEST(Term, IsEqualByContent) {
   EXPECT_EQ(Struct("vec2", {N(0.1), N(0.2)}), Struct("vec2", {N(0.1), N(0.2)}));
