@@ -42,7 +42,9 @@ PayloadKind PayloadKindOf(TermKind kind, std::string_view head, std::size_t size
 
 }  // namespace
 
-constinit const Term::Node Term::kNil{.hash = HashAtom(TermKind::kNil, 0, 0, ""), .text = {}};
+// Before all other static objects, which may hold terms.
+[[gnu::init_priority(101)]] const Term::Node Term::kNil{.hash = HashAtom(TermKind::kNil, 0, 0, ""),
+                                                        .text = {}};
 
 // What makes a term the one it is.
 struct Term::Content {

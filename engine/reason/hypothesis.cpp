@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/kb/term_codec.h"
+#include "engine/reason/existence.h"
 
 namespace aerascope {
 
@@ -44,10 +45,8 @@ int Hypotheses::Consider(const ModelRecord& requirement, const CompositeStateRec
 const ModelRecord* Hypotheses::BlackListed(const Hypothesis& hypothesis) const {
   const CompositeStateId state = knowledge_.FindState(knowledge_.CanonicalOf(hypothesis.state).hash);
   if (!state.valid()) return nullptr;
-  const ModelId model =
-      knowledge_.FindModel(knowledge_.CanonicalOf(WithState(hypothesis, *knowledge_.Find(state))).hash);
-  const ModelRecord* record = knowledge_.Find(model);
-  return record && record->state == ModelState::kDeleted ? record : nullptr;
+  const ModelRecord* equal = FindEqual(WithState(hypothesis, *knowledge_.Find(state)), knowledge_);
+  return equal && equal->black_listed ? equal : nullptr;
 }
 
 // The hypothetical requirement, about a composite state that may list its variables in another order.
@@ -144,7 +143,8 @@ void Hypotheses::AdoptOne(Candidate* candidate) {
   compared.result_state = state.id;
   if (known_state.valid()) {
     requirement = WithState(candidate->hypothesis, *knowledge_.Find(known_state));
-    known_requirement = knowledge_.FindModel(knowledge_.CanonicalOf(requirement).hash);
+    const ModelRecord* equal = FindEqual(requirement, knowledge_);
+    if (equal) known_requirement = equal->model.id;
   } else {
     requirement.lhs.payload = Term::Struct(
         "icst", {Term::Reference(state.id), requirement.lhs.payload[1], requirement.lhs.payload[2]});

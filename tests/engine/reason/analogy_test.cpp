@@ -338,6 +338,28 @@ TEST(Analogy107, WhatWasRefutedIsNotMadeAgainInPaperModeAndIsInOpenaeraMode) {
   }
 }
 
+TEST(Analogy107, WhatFellWithoutFailingMayBeMadeAgain) {
+  // own: only what failed is on the black list (semantics 3.5).
+  ToyMind mind;
+  Learn(&mind, Thing("s", "sphere", "large"));
+  mind.See(Scene(15, "s", 15));
+  mind.Want(Holding("s"), 20);
+  ASSERT_EQ(mind.Act(), "(cmd grab_type_2 [h])");
+  ASSERT_EQ(Hypothesised(mind).size(), 1u);
+  const ModelRecord& first = *Hypothesised(mind)[0];
+  mind.reasoner.journal().Write(mind.reasoner.knowledge().now(),
+                                ModelStateChanged{first.model.id, ModelState::kActive, ModelState::kDeleted,
+                                                  StateChangeReason::kRefersToDeleted},
+                                {first.event});
+
+  mind.See(Scene(15, "s", 15));
+  mind.Wish();
+
+  ASSERT_EQ(Hypothesised(mind).size(), 2u);
+  EXPECT_EQ(Hypothesised(mind)[1]->state, ModelState::kActive);
+  EXPECT_EQ(Hypothesised(mind)[1]->canonical.hash, Hypothesised(mind)[0]->canonical.hash);
+}
+
 TEST(Analogy107, ANestedConditionIsNeverGeneralised) {
   // OpenAERA: S4 itself matched in part (2 of 3) is not the left side of a requirement model, so it stays as
   // it is.
