@@ -344,7 +344,7 @@ TEST(Analogy107, WhatFellWithoutFailingMayBeMadeAgain) {
   Learn(&mind, Thing("s", "sphere", "large"));
   mind.See(Scene(15, "s", 15));
   mind.Want(Holding("s"), 20);
-  ASSERT_EQ(mind.Act(), "(cmd grab_type_2 [h])");
+  mind.Wish();
   ASSERT_EQ(Hypothesised(mind).size(), 1u);
   const ModelRecord& first = *Hypothesised(mind)[0];
   mind.reasoner.journal().Write(mind.reasoner.knowledge().now(),
