@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "tests/engine/reason/agent.h"
 
 namespace aerascope {
@@ -148,6 +150,10 @@ struct Row {
   bool predicts;
   double confidence;
 };
+
+void PrintTo(const Row& row, std::ostream* out) {
+  *out << row.name;
+}
 
 class ChainingTable : public testing::TestWithParam<Row> {};
 
