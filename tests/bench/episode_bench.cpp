@@ -118,6 +118,47 @@ void LoggingCostToTheReasoner(benchmark::State& state) {
 }
 BENCHMARK(LoggingCostToTheReasoner)->Unit(benchmark::kMillisecond);
 
+// Keeps what it is given.
+class ListSink : public EventSink {
+ public:
+  void Append(Event event) override { events.push_back(std::move(event)); }
+  std::vector<Event> events;
+};
+
+// Events into a file in the mixture of kinds that the paper's task has, over and over (target: 400 000 a
+// second).
+void StoreTheMixOfARun(benchmark::State& state) {
+  constexpr std::size_t kEvents = 500'000;
+  const Scenario scenario = Load("pick_and_place_scripted.toml");
+  ListSink run;
+  auto world = MakeWorld(scenario);
+  if (!RunEpisode(scenario, world->get(), &run).ok()) return state.SkipWithError("no run");
+  std::vector<Event> events;
+  for (std::int64_t earlier = 0; events.size() < kEvents;
+       earlier = static_cast<std::int64_t>(events.size())) {
+    for (Event event : run.events) {
+      event.id.value += earlier;
+      for (EventId& cause : event.causes) cause.value += earlier;
+      events.push_back(std::move(event));
+    }
+  }
+  const std::string path = ScratchEpisode();
+  for (auto _ : state) {
+    state.PauseTiming();
+    auto writer = EpisodeWriter::Create(path, {});
+    if (!writer.ok()) return state.SkipWithError("no file");
+    state.ResumeTiming();
+    for (const Event& event : events) (*writer)->Append(event);
+    (*writer)->Flush();
+    state.PauseTiming();
+    benchmark::DoNotOptimize((*writer)->Finish().ok());
+    state.ResumeTiming();
+  }
+  std::filesystem::remove(path);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(events.size()));
+}
+BENCHMARK(StoreTheMixOfARun)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 void RunWithPhysics(benchmark::State& state) {
   const Scenario scenario = Load("pick_and_place.toml");
   const std::string path = ScratchEpisode();
