@@ -1,12 +1,12 @@
 #include "viewer/page/report_data.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "engine/base/text.h"
 #include "viewer/page/cause_data.h"
+#include "viewer/page/film_data.h"
 #include "viewer/page/graph_data.h"
 #include "viewer/page/report_context.h"
 #include "viewer/page/subject_data.h"
@@ -42,7 +42,7 @@ class ReportAuthor {
             {"provenance", Provenance()},
             {"warning", Warning()},
             {"clock", Clock()},
-            {"film", Film()},
+            {"film", FilmData(frames_, images_)},
             {"objects", Objects()},
             {"moments", Moments()},
             {"story", Story()},
@@ -118,7 +118,7 @@ class ReportAuthor {
     return Join(sentences, " ");
   }
 
-  // ---- clock, film
+  // ---- clock, things
 
   json Clock() const {
     json starts = json::array();
@@ -129,29 +129,6 @@ class ReportAuthor {
             {"period", run_.started().sampling_period_us},
             {"frames", starts}};
   }
-
-  json Film() const {
-    json stills = json::array();
-    for (std::size_t i = 0; i < frames_.stills.size(); ++i) {
-      const Still& still = frames_.stills[i];
-      json objects = json::object();
-      for (const StillObject& object : still.objects) {
-        json outline = json::array();
-        for (const StillPoint& point : object.outline) {
-          outline.push_back(Tenths(point.x));
-          outline.push_back(Tenths(point.y));
-        }
-        objects[Printable(object.name)] = {{"outline", outline},
-                                           {"label", {Tenths(object.label.x), Tenths(object.label.y)}}};
-      }
-      stills.push_back({{"at", still.at.us}, {"image", images_[i]}, {"objects", objects}});
-    }
-    std::string note = Printable(frames_.note);
-    if (frames_.stills.empty() && note.empty()) note = "This report has no frames.";
-    return {{"width", frames_.width}, {"height", frames_.height}, {"stills", stills}, {"note", note}};
-  }
-
-  static double Tenths(double pixels) { return std::round(pixels * 10) / 10; }
 
   // Entities with what was seen of them: properties, and each value whenever it changed.
   json Objects() const {
