@@ -5,38 +5,31 @@
 // Chained through are causal models with a command on the left (the step is that command), causal models with
 // a fact on the left (that fact becomes a goal, and the step is to wait), and reuse models (the goal becomes
 // an instance of another model, the step is that one's). Requirement models give composite states, whose
-// missing parts become goals; requirement models may have requirements themselves. A goal that some model
-// would undo gives a branch that is mandatory: what must not happen.
+// missing parts become goals; requirement models may have requirements themselves.
+//
+// The class is one recursion in three files: goals (backward_chaining.cpp), what allows a model to fire
+// (backward_conditions.cpp), and its firing (backward_firing.cpp).
 #pragma once
 
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "engine/reason/arrangement.h"
+#include "engine/reason/feasibility.h"
 #include "engine/reason/hypothesis.h"
 #include "engine/reason/plan.h"
 
 namespace aerascope {
 
-// A command that would undo the goal, as far as the present situation allows it.
-struct Prohibition {
-  Term command;  // wildcards match anything
-  GoalEntry goal;
-};
-
-// A fact that would undo the goal and holds: it must cease to.
-struct MandatoryGoal {
-  GoalEntry goal;
-  Fact target;
-};
-
 class BackwardChainer {
  public:
   // All outlive the chainer.
   BackwardChainer(const PlanningContext& context, GoalLog* goals, Hypotheses* hypotheses)
-      : context_(context), knowledge_(context.knowledge), goals_(*goals), hypotheses_(*hypotheses) {}
+      : context_(context),
+        knowledge_(context.knowledge),
+        goals_(*goals),
+        hypotheses_(*hypotheses),
+        feasibility_(context) {}
 
   // Plans that bring the target about from the frame, best first. With `through_hypotheses`, conditions
   // generalised by analogy are taken too; otherwise they are only compared. Each call has the whole budget of
@@ -44,12 +37,9 @@ class BackwardChainer {
   std::vector<Plan> PlansFor(const Fact& target, const GoalEntry& goal,
                              const std::shared_ptr<ImaginedFrame>& from, bool through_hypotheses);
 
-  // What the present situation would let undo the goal (opposite matches).
-  void FindThreats(const Fact& target, const GoalEntry& goal, ImaginedFrame* present,
-                   std::vector<Prohibition>* prohibitions, std::vector<MandatoryGoal>* mandatory);
-
  private:
   using Frame = std::shared_ptr<ImaginedFrame>;
+  static constexpr int kMaxWait = 32;  // frames waited for one effect
 
   // A frame in which a model is allowed to fire, how one gets there, and what is bound by what allows it.
   struct Way {
@@ -117,21 +107,16 @@ class BackwardChainer {
   bool StillAllowed(const Model& model, const Way& way) const;
   bool Expected(const FactPattern& part, const ImaginedFrame& frame) const;
 
-  bool CanBringAboutFact(const Term& payload, bool positive);
-  bool CanFire(const ModelRecord& record, const Bindings& bindings, int depth);
-  double Conceivable(const Term& payload);
-  TimeInterval WindowOf(const Model& model, const Bindings& bindings, const TimeInterval& target) const;
-  std::vector<ModelId> ModelsFor(const Fact& target) const;
   bool Spend(const Quest& quest);
 
   const PlanningContext& context_;
   const KnowledgeBase& knowledge_;
   GoalLog& goals_;
   Hypotheses& hypotheses_;
+  Feasibility feasibility_;
   bool through_hypotheses_ = false;
   int nodes_ = 0;
   std::vector<Fact> stack_;  // goals being pursued, outermost first
-  std::map<std::string, bool> can_bring_about_;
 };
 
 }  // namespace aerascope

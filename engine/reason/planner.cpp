@@ -76,9 +76,9 @@ class Planner {
   // What would undo the goal: commands not to give, and facts that must cease to hold.
   void TryMandatory() {
     const auto present = Present();
-    std::vector<MandatoryGoal> mandatory;
-    chainer_.FindThreats(task_.target, root_, present.get(), &prohibitions_, &mandatory);
-    for (const MandatoryGoal& must : mandatory) {
+    const Threats threats = FindThreats(task_.target, root_, present.get(), context_, &goals_);
+    prohibitions_ = threats.prohibitions;
+    for (const MandatoryGoal& must : threats.mandatory) {
       std::vector<Plan> plans = chainer_.PlansFor(must.target, must.goal, Present(), false);
       for (std::size_t i = 0; i < plans.size() && i < kMaxSimulations; ++i) {
         Try(std::move(plans[i]), must.target, must.goal, true, {});

@@ -17,6 +17,7 @@
 #include "engine/reason/parameters.h"
 #include "engine/reason/simulation.h"
 #include "engine/reason/situation.h"
+#include "engine/reason/threats.h"
 
 namespace aerascope {
 
