@@ -46,7 +46,7 @@ void Apply(const Event& event, KnowledgeBase* knowledge_base) {
             kb.SetState(e.model, e.after, failed);
           },
           [&](const PredictionMade& e) {
-            kb.OpenPrediction({e.prediction, e.model, e.requirements, e.target, event.id});
+            kb.OpenPrediction({e.prediction, e.model, e.requirements, e.target, event.id, e.grounds});
           },
           [&](const PredictionSucceeded& e) { kb.ClosePrediction(e.prediction); },
           [&](const PredictionFailed& e) { kb.ClosePrediction(e.prediction); },

@@ -258,6 +258,7 @@ struct PredictionMade {
   std::vector<ModelId> requirements;
   FactId input;
   Fact target;
+  std::vector<PredictionId> grounds = {};
   static constexpr std::string_view kName = "PredictionMade";
   static constexpr std::string_view kMeaning = "A model fired: its right side is expected.";
   static constexpr auto Fields() {
@@ -265,8 +266,13 @@ struct PredictionMade {
         Field{"prediction", "number of the prediction", &PredictionMade::prediction},
         Field{"model", "the model that fired", &PredictionMade::model},
         Field{"requirements", "the requirement models that allowed it", &PredictionMade::requirements},
-        Field{"input", "the fact on its left side; none in a simulation", &PredictionMade::input},
-        Field{"target", "what is expected, when; confidence = input x model", &PredictionMade::target}};
+        Field{"input", "the fact on its left side; none if that is only expected, or imagined",
+              &PredictionMade::input},
+        Field{"target", "what is expected, when; confidence = input x model", &PredictionMade::target},
+        Field{"grounds",
+              "the open predictions it rests on, that on its left side first; empty if it rests on facts, or "
+              "in a simulation",
+              &PredictionMade::grounds}};
   }
 };
 
@@ -317,10 +323,12 @@ enum class StateChangeReason {
   kOrphaned,         // a causal model that needs a requirement model has none left
   kRefersToDeleted,  // it speaks about knowledge that was deleted
   kTimedOut,         // it was not matched for too long
+  kForgotten,        // deleted long ago and not met again: it may be made anew
+  kGiven,            // the seed says so
 };
 template <>
-inline constexpr std::array<std::string_view, 4> kEnumNames<StateChangeReason>{
-    "rating", "orphaned", "refers_to_deleted", "timed_out"};
+inline constexpr std::array<std::string_view, 6> kEnumNames<StateChangeReason>{
+    "rating", "orphaned", "refers_to_deleted", "timed_out", "forgotten", "given"};
 
 struct ModelStateChanged {
   ModelId model;
@@ -329,7 +337,7 @@ struct ModelStateChanged {
   StateChangeReason reason = StateChangeReason::kRating;
   static constexpr std::string_view kName = "ModelStateChanged";
   static constexpr std::string_view kMeaning =
-      "A model was phased out, phased in, or deleted (and black-listed).";
+      "A model was phased out, phased in, deleted (and black-listed), or taken off the black list.";
   static constexpr auto Fields() {
     return std::tuple{Field{"model", "the model", &ModelStateChanged::model},
                       Field{"before", "state before", &ModelStateChanged::before},
@@ -647,11 +655,12 @@ enum class ChainingStatus {
   kStrongDisabled,      // only vetoes speak: it predicts silently
   kVetoed,              // a veto is at least as sure as what allows it: it predicts silently
   kPhasedOut,           // phased out: it predicts silently
+  kTooDeep,             // too many predictions rest on one another already: it does not fire
 };
 template <>
-inline constexpr std::array<std::string_view, 7> kEnumNames<ChainingStatus>{
-    "no_requirement", "enabled",   "enabled_against_veto", "weak_disabled", "strong_disabled",
-    "vetoed",         "phased_out"};
+inline constexpr std::array<std::string_view, 8> kEnumNames<ChainingStatus>{
+    "no_requirement",  "enabled", "enabled_against_veto", "weak_disabled",
+    "strong_disabled", "vetoed",  "phased_out",           "too_deep"};
 
 struct ConsideredRequirement {
   ModelId requirement;
@@ -671,16 +680,20 @@ struct ChainingDecided {
   ChainingStatus status = ChainingStatus::kNoRequirement;
   std::vector<ConsideredRequirement> considered;
   ModelId winner;
+  PredictionId premise = {};
   static constexpr std::string_view kName = "ChainingDecided";
   static constexpr std::string_view kMeaning =
-      "A fact fits a model's left side; its requirement models decide whether it fires.";
+      "A fact, seen or expected, fits a model's left side; its requirement models decide whether it fires.";
   static constexpr auto Fields() {
     return std::tuple{
         Field{"model", "the model", &ChainingDecided::model},
-        Field{"input", "the fact on its left side", &ChainingDecided::input},
+        Field{"input", "the fact on its left side; none if that is only expected, or imagined",
+              &ChainingDecided::input},
         Field{"status", "fires, silently, or not; and why", &ChainingDecided::status},
         Field{"considered", "the requirement models that spoke", &ChainingDecided::considered},
-        Field{"winner", "the requirement model that decided; none if none did", &ChainingDecided::winner}};
+        Field{"winner", "the requirement model that decided; none if none did", &ChainingDecided::winner},
+        Field{"premise", "the prediction on its left side, if that is only expected",
+              &ChainingDecided::premise}};
   }
 };
 
@@ -717,15 +730,29 @@ struct InstanceProgress {
   }
 };
 
+// Why a prediction that rested on others is no longer open.
+enum class InvalidationReason {
+  kPremiseContradicted,  // what it rested on did not come true
+  kRenewed,              // what it rested on was seen, and the same is predicted from that
+  kNotRenewed,           // what it rested on was seen, but nothing is predicted from that
+  kOverdue,              // its time came before what it rested on was decided
+};
+template <>
+inline constexpr std::array<std::string_view, 4> kEnumNames<InvalidationReason>{
+    "premise_contradicted", "renewed", "not_renewed", "overdue"};
+
 struct PredictionInvalidated {
   PredictionId prediction;
   FactId by;
+  InvalidationReason reason = InvalidationReason::kPremiseContradicted;
   static constexpr std::string_view kName = "PredictionInvalidated";
   static constexpr std::string_view kMeaning =
-      "What a prediction rested on was contradicted; it is neither right nor wrong.";
+      "A prediction that rested on others is given up: it is neither right nor wrong.";
   static constexpr auto Fields() {
     return std::tuple{Field{"prediction", "the prediction", &PredictionInvalidated::prediction},
-                      Field{"by", "the fact that contradicts what it rested on", &PredictionInvalidated::by}};
+                      Field{"by", "the fact that decided what it rested on; none if nothing came in time",
+                            &PredictionInvalidated::by},
+                      Field{"reason", "why it is given up", &PredictionInvalidated::reason}};
   }
 };
 

@@ -82,6 +82,7 @@ struct PredictionRecord {
   std::vector<ModelId> requirements;  // the weak requirement models that allowed it
   Fact target;
   EventId event;
+  std::vector<PredictionId> grounds = {};  // the predictions it was made from; none if it rests on facts
 };
 
 class KnowledgeBase {

@@ -107,6 +107,22 @@ std::string_view Words(ChainingStatus status) {
       return "is vetoed and predicts silently";
     case ChainingStatus::kPhasedOut:
       return "is phased out and predicts silently";
+    case ChainingStatus::kTooDeep:
+      return "does not apply: too many expectations rest on one another already";
+  }
+  return {};
+}
+
+std::string_view Words(InvalidationReason reason) {
+  switch (reason) {
+    case InvalidationReason::kPremiseContradicted:
+      return "what it rested on did not come true";
+    case InvalidationReason::kRenewed:
+      return "what it rested on was seen, and it is expected from that";
+    case InvalidationReason::kNotRenewed:
+      return "what it rested on was seen, but it does not follow from that";
+    case InvalidationReason::kOverdue:
+      return "its time came before what it rested on was decided";
   }
   return {};
 }
@@ -299,7 +315,11 @@ class Teller {
       case ModelState::kActive:
         return IdText(e.model) + " is in use again.";
       case ModelState::kPhasedOut:
-        return IdText(e.model) + " failed too often and only predicts silently now.";
+        return IdText(e.model) + (e.reason == StateChangeReason::kTimedOut
+                                      ? " was not met for long and only predicts silently now."
+                                  : e.reason == StateChangeReason::kGiven
+                                      ? " is given as one that only predicts silently."
+                                      : " failed too often and only predicts silently now.");
       case ModelState::kDeleted:
         switch (e.reason) {
           case StateChangeReason::kRating:
@@ -309,7 +329,11 @@ class Teller {
           case StateChangeReason::kRefersToDeleted:
             return IdText(e.model) + " is given up with what it speaks about.";
           case StateChangeReason::kTimedOut:
-            return IdText(e.model) + " is given up: it was of no use for too long.";
+            return IdText(e.model) + " is given up: it was not met for too long.";
+          case StateChangeReason::kForgotten:
+            return IdText(e.model) + " failed long ago, which is forgotten: it may be made again.";
+          case StateChangeReason::kGiven:
+            return IdText(e.model) + " is given as one that is not to be made again.";
         }
     }
     return {};
@@ -330,7 +354,8 @@ class Teller {
            Plural(e.total, "condition", "conditions") + ": " + FactOf(e.fact_id) + ".";
   }
   std::string Of(const PredictionInvalidated& e) const {
-    return "No longer expected: " + PredictionTarget(e.prediction) + "; seen: " + FactOf(e.by) + ".";
+    return "No longer expected as it was: " + PredictionTarget(e.prediction) + " (" +
+           std::string(Words(e.reason)) + (e.by.valid() ? ": " + FactOf(e.by) : "") + ").";
   }
   std::string Of(const FactPromoted& e) const { return "Holds on: " + Text(e.fact) + "."; }
   std::string Of(const PromotionDefeated& e) const {
@@ -338,8 +363,8 @@ class Teller {
   }
   std::string Of(const CommandImagined& e) const { return "Imagined: " + Text(e.command) + "."; }
   std::string Of(const PlanRejected& e) const {
-    std::string text = "Not chosen: the plan of " + IdText(e.simulation) + ", score " + FormatConfidence(e.score) +
-                       " (" + std::string(Words(e.reason));
+    std::string text = "Not chosen: the plan of " + IdText(e.simulation) + ", score " +
+                       FormatConfidence(e.score) + " (" + std::string(Words(e.reason));
     if (e.harmed.valid()) text += ": " + TargetOf(e.harmed);
     return text + ").";
   }
@@ -355,7 +380,8 @@ class Teller {
   std::string Of(const FrameCounted& e) const {
     return Plural(e.facts, "fact", "facts") + ", " + Plural(e.instances, "instance", "instances") + ", " +
            Plural(e.requirements, "statement of requirements", "statements of requirements") + ", " +
-           Plural(e.predictions, "prediction", "predictions") + " open, " + Plural(e.models, "model", "models") + ".";
+           Plural(e.predictions, "prediction", "predictions") + " open, " +
+           Plural(e.models, "model", "models") + ".";
   }
   std::string Of(const DriveInjected& e) const {
     return "Drive: " + (e.title.empty() ? Text(e.target) : Printable(e.title)) + ".";

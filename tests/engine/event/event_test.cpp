@@ -70,7 +70,7 @@ TEST(EventText, NamesEveryFieldAndTheCauses) {
                                                  0.75};
   EXPECT_EQ(ToText(event),
             "0.7s #214 PredictionMade prediction=pred_31 model=mdl_5 requirements=[mdl_6, mdl_7] input=- "
-            "target=(mk.val h position 15) [0.8s, 0.9s) cfd 0.75 because #200 #12");
+            "target=(mk.val h position 15) [0.8s, 0.9s) cfd 0.75 grounds=[] because #200 #12");
 }
 
 TEST(EventText, IsOneLineWhateverItHolds) {
