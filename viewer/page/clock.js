@@ -1,17 +1,26 @@
-// ---- clock.js: one clock, one selection, kept in the address of the page.
+// ---- clock.js: one clock, one selection, one view; all three kept in the address of the page.
+
+const VIEWS = ["overview", "knowledge", "reasoning", "events"];
 
 class App {
-  constructor(report) {
+  constructor(report, log) {
     this.report = report;
+    this.log = log;
     this.panes = [];
     this.t = report.clock.start;
     this.selected = "";
+    this.view = "";
+    this.theme = "";
     this.playing = 0;
     this.saving = 0;
+    this.saved = "";
+    this.more = new Map();   // what else panes keep in the address
     this.frames = report.clock.frames.length ? report.clock.frames : [report.clock.start];
+    this.numbers = new Map(report.subjects.id.map((id, number) => [id, number]));
+    this.details = new Map();
   }
 
-  // Panes have any of: showTime(t), showSelection(id).
+  // Panes have any of: showTime(t), showSelection(subject), showView(name), showPlaying(on), restore(state).
   add(pane) { this.panes.push(pane); return pane; }
 
   go(t) {
@@ -19,10 +28,7 @@ class App {
     for (const pane of this.panes) if (pane.showTime) pane.showTime(this.t);
     this.save();
   }
-  get frame() {
-    const start = lastAt(this.frames, this.t, (at) => at);
-    return Math.max(0, this.frames.indexOf(start));
-  }
+  get frame() { return frameAt(this.frames, this.t); }
   // Frame starts, and the very end, are where the steps lead.
   step(by) {
     const n = this.frame;
@@ -30,22 +36,75 @@ class App {
     else this.go(this.frames[clamp(n + by, 0, this.frames.length - 1)]);
   }
 
-  subject(id) {
-    const real = this.report.aliases[id] || id;
-    return Object.hasOwn(this.report.subjects, real) ? this.report.subjects[real] : null;
+  // ---- what can be selected: the subjects of the report, and every event
+
+  subjectByNumber(number) {
+    const { id, title, kind, mark: sign, born, gone, outcome, event, decided, parent } = this.report.subjects;
+    return { number, id: id[number], title: title[number], kind: kind[number], mark: sign[number], born: born[number],
+      gone: gone[number], outcome: ["open", "true", "failed"][outcome[number]], event: event[number], decided: decided[number],
+      parent: parent[number] };
   }
-  select(id) {
+  subject(id) {
+    const number = this.numbers.get(this.report.aliases[id] || id);
+    if (number !== undefined) return this.subjectByNumber(number);
+    const event = /^#(\d+)$/.exec(id);
+    if (!event || !(Number(event[1]) >= 1 && Number(event[1]) <= this.log.count)) return null;
+    return this.eventSubject(Number(event[1]));
+  }
+  eventSubject(event) {
+    const kind = this.log.kind(event);
+    return { number: -1, id: "#" + event, title: kind.title, kind: "event", mark: this.log.mark(event), born: this.log.time(event),
+      gone: null, outcome: this.log.failed(event) ? "failed" : "open", event, decided: 0, parent: null };
+  }
+  // What the inspector shows of it; the same object each time.
+  async detail(subject) {
+    const id = subject.id;
+    if (!this.details.has(id)) this.details.set(id, this.loadDetail(subject));
+    return this.details.get(id);
+  }
+  async loadDetail(subject) {
+    if (subject.kind === "event") {
+      const [{ fields, comparison }, say] = await Promise.all([this.log.fields(subject.event), this.log.text(subject.event)]);
+      return { note: this.log.imagined(subject.event) ? "in the head, at " + secondsText(subject.born) : "at " + secondsText(subject.born),
+        say, fields, comparison, meaning: this.log.kind(subject.event).meaning };
+    }
+    const size = this.report.subjects.block;
+    const block = "subjects-" + Math.floor(subject.number / size);
+    this.blocks = this.blocks || new Map();
+    if (!this.blocks.has(block)) this.blocks.set(block, blockText(block).then((text) => JSON.parse(text)));
+    return (await this.blocks.get(block))[subject.number % size];
+  }
+
+  async select(id) {
     const subject = this.subject(id);
     if (!subject) return;
     this.selected = subject.id;
+    this.save();
+    await Promise.all([this.detail(subject).then((detail) => { subject.detail = detail; }), this.log.loadCauses()]);
+    if (this.selected !== subject.id) return;
     for (const pane of this.panes) if (pane.showSelection) pane.showSelection(subject);
     this.go(this.t);
+  }
+  // Selects what an event is about and goes to its moment; where it is about nothing else, the event itself.
+  open(event) {
+    const [first] = this.log.subjectsOf(event);
+    this.go(this.log.time(event));
+    return this.select(first === undefined || this.log.imagined(event) ? "#" + event : this.report.subjects.id[first]);
   }
   // What the variables of the selection stand for now.
   bindings(subject, t) {
     let found = null;
-    for (const use of subject.uses || []) if (use[0] <= t && t < use[1]) found = use[2];
+    for (const use of (subject.detail && subject.detail.uses) || []) if (use[0] <= t && t < use[1]) found = use[2];
     return found;
+  }
+
+  setView(name) {
+    const view = VIEWS.includes(name) ? name : VIEWS[0];
+    if (view === this.view) return;
+    this.view = view;
+    document.body.dataset.view = view;
+    for (const pane of this.panes) if (pane.showView) pane.showView(view);
+    this.save();
   }
 
   toggle() {
@@ -67,37 +126,53 @@ class App {
     for (const pane of this.panes) if (pane.showPlaying) pane.showPlaying(this.playing !== 0);
   }
 
-  // Browsers take no more than a few changes of address a second.
+  // ---- the address
+
+  address() {
+    const state = new URLSearchParams({ t: tickText(this.t), sel: this.selected, view: this.view });
+    if (this.theme) state.set("th", this.theme);
+    for (const [name, value] of this.more) if (value) state.set(name, value);
+    return "#" + state;
+  }
+  // A pane's own part of the address.
+  keep(name, value) { this.more.set(name, value); this.save(); }
+  // Browsers take no more than a few changes of address a second. A new selection or view can be gone back from.
   save() {
     clearTimeout(this.saving);
     this.saving = setTimeout(() => {
-      const state = new URLSearchParams({ t: tickText(this.t), sel: this.selected });
-      if (this.theme) state.set("th", this.theme);
-      history.replaceState(null, "", "#" + state);
+      const place = this.selected + " " + this.view;
+      const address = this.address();
+      if (address === location.hash) return;
+      if (this.saved && this.saved !== place) history.pushState(null, "", address);
+      else history.replaceState(null, "", address);
+      this.saved = place;
     }, 200);
   }
-  restore() {
+  async restore() {
     const state = new URLSearchParams(location.hash.slice(1));
     this.setTheme(state.get("th") === "dark" || state.get("th") === "light" ? state.get("th") : "");
     const seconds = Number.parseFloat(state.get("t"));
-    if (Number.isFinite(seconds)) this.t = clamp(seconds * 1e6, this.report.clock.start, this.report.clock.end);
     const wanted = state.get("sel") || "";
     const chosen = this.subject(wanted) ? wanted : this.selected || this.firstChoice();
-    if (!Number.isFinite(seconds) && !this.selected) this.t = this.firstMoment(this.subject(chosen));
-    this.select(chosen);
+    if (Number.isFinite(seconds)) this.t = clamp(seconds * 1e6, this.report.clock.start, this.report.clock.end);
+    else if (!this.selected) this.t = this.firstMoment(this.subject(chosen));
+    this.saved = chosen + " " + (state.get("view") || "");
+    for (const pane of this.panes) if (pane.restore) pane.restore(state);
+    this.setView(state.get("view") || (this.subject(wanted) ? "knowledge" : this.view || "overview"));
+    await this.select(chosen);
+    this.saved = this.selected + " " + this.view;
     this.go(this.t);
   }
   // Where nobody chose: the first thing made by analogy, else the first learned, else anything.
   firstChoice() {
     const { lanes, pieces, subjects } = this.report;
-    const first = lanes.analogy[0] || lanes.taught[0] || pieces[0];
-    return first ? first.subject : Object.keys(subjects)[0] || "";
+    const first = [lanes.analogy.subject[0], lanes.taught.subject[0], (pieces[0] || [])[0]].find((number) => number !== undefined);
+    return first !== undefined ? subjects.id[first] : subjects.id[0] || (this.log.count ? "#1" : "");
   }
-
   // Where nobody said when: the first time that experience spoke about the chosen thing, else when it came about.
   firstMoment(subject) {
     if (!subject) return this.report.clock.start;
-    const spoken = (subject.confidence || [])[1];
+    const spoken = subject.number >= 0 ? this.log.confidence(subject.number)[1] : null;
     return spoken ? spoken.at : Math.max(subject.born, this.report.clock.start);
   }
 
@@ -106,4 +181,14 @@ class App {
     const dark = theme ? theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
     document.documentElement.dataset.theme = dark ? "dark" : "light";
   }
+}
+
+// The position of the last frame that begins at or before t; 0 before the first.
+function frameAt(frames, t) {
+  let low = 0, high = frames.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (frames[middle] <= t) low = middle + 1; else high = middle;
+  }
+  return Math.max(0, low - 1);
 }

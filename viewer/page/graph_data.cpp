@@ -1,6 +1,9 @@
 #include "viewer/page/graph_data.h"
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "engine/base/text.h"
 #include "viewer/layout/triad_layout.h"
@@ -31,7 +34,12 @@ json FormData(const BandForm& form) {
 
 class GraphAuthor {
  public:
-  explicit GraphAuthor(const ReportContext& context) : context_(context), knowledge_(context.knowledge) {}
+  explicit GraphAuthor(const ReportContext& context) : context_(context), knowledge_(context.knowledge) {
+    for (const PredictionRecordOfRun& prediction : context_.summary.predictions)
+      if (prediction.outcome != Outcome::kOpen) decided_[prediction.model].push_back(&prediction);
+    for (auto& [model, list] : decided_)
+      std::stable_sort(list.begin(), list.end(), [](const auto* a, const auto* b) { return a->until < b->until; });
+  }
 
   json Write() const {
     TriadOptions options;
@@ -164,10 +172,14 @@ class GraphAuthor {
   json ModelCard(const Card& card) const {
     const ModelRecord* record = knowledge_.Find(card.model);
     const ModelLines lines = LinesOf(knowledge_, record->model);
+    // When each was decided, and how many were right by then.
     json outcomes = json::array();
-    for (const PredictionRecordOfRun& prediction : context_.summary.predictions) {
-      if (prediction.model != card.model || prediction.outcome == Outcome::kOpen) continue;
-      outcomes.push_back({prediction.until.us, prediction.outcome == Outcome::kReached});
+    if (const auto found = decided_.find(card.model); found != decided_.end()) {
+      std::int64_t right = 0;
+      for (const PredictionRecordOfRun* prediction : found->second) {
+        right += prediction->outcome == Outcome::kReached ? 1 : 0;
+        outcomes.push_back({prediction->until.us, right});
+      }
     }
     json data = {{"kind", "model"},     {"id", IdText(card.model)}, {"subject", IdText(card.model)},
                  {"lhs", lines.lhs},    {"rhs", lines.rhs},         {"vars", lines.variables},
@@ -206,6 +218,7 @@ class GraphAuthor {
 
   const ReportContext& context_;
   const KnowledgeBase& knowledge_;
+  std::map<ModelId, std::vector<const PredictionRecordOfRun*>> decided_;  // by when they were decided
 };
 
 }  // namespace

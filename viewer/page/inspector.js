@@ -7,27 +7,39 @@ function inspectorPane(app) {
   const heading = (text, note, id) => el("h3", { id }, text, note ? el("span", { text: note }) : "");
   const block = (...children) => el("div", { class: "block" }, ...children);
 
-  function draw(subject) {
+  async function draw(subject) {
     live = [];
-    const sections = [definition(subject), facts(subject), life(subject), outcome(subject), requirements(subject), plans(subject),
-      comparisons(subject), why(subject), led(subject)];
-    box.replaceChildren(top(subject), ...sections.filter((section) => section));
+    const compared = await comparisonsOf(subject);
+    if (app.selected !== subject.id) return;
+    const steps = subject.number >= 0 ? app.log.confidence(subject.number) : [];
+    (subject.detail.steps || []).forEach(([reason, positive, total], i) => { if (steps[i]) Object.assign(steps[i], { why: reason, positive, total }); });
+    subject.confidence = steps;
+    const sections = [definition(subject), eventFields(subject), facts(subject), life(subject), outcome(subject), requirements(subject),
+      relatives(subject), plans(subject), whyNot(subject), comparisons(subject, compared), why(subject), led(subject), happenings(subject)];
+    const shown = sections.filter((section) => section);
+    box.replaceChildren(top(subject, shown), ...shown);
     box.scrollTop = 0;
+    for (const part of live) part(app.t);
+  }
+  async function comparisonsOf(subject) {
+    if (subject.detail.comparison) return [subject.detail.comparison];
+    const events = (subject.detail.compared || []).slice(0, 24);
+    const fields = await Promise.all(events.map((event) => app.log.fields(event)));
+    return fields.map((one) => one.comparison).filter((one) => one);
   }
 
-  function top(subject) {
+  function top(subject, sections) {
     const failed = subject.outcome === "failed";
-    const jump = el("span", { class: "jump" });
-    for (const [id, text, there] of [["compared", "compared", subject.compared], ["why", "why", subject.why.nodes.length > 1],
-      ["led", "led to", subject.led.nodes.length]]) {
-      if (!there) continue;
-      jump.append(el("button", { type: "button", class: "link", text,
-        on: { click: () => { const target = $("part-" + id); if (target) target.scrollIntoView({ block: "start" }); } } }));
+    const jump = el("nav", { class: "jump", "aria-label": "Parts" });
+    for (const [id, text] of [["part-compared", "compared"], ["part-whynot", "why not"], ["part-why", "why"], ["part-led", "led to"], ["part-life", "life"]]) {
+      const target = sections.map((section) => section.querySelector("#" + id)).find((node) => node);
+      if (!target) continue;
+      jump.append(el("button", { type: "button", class: "link", text, on: { click: () => target.scrollIntoView({ block: "start" }) } }));
     }
     const big = el("span", { class: "big" });
-    if (subject.confidence && subject.confidence.length) live.push((t) => showSure(big, subject, t));
+    if (subject.confidence.length) live.push((t) => showSure(big, subject, t));
     return el("div", { class: "top" },
-      el("div", { class: "kind" }, mark(failed ? "cross" : subject.mark, failed ? "fail" : ""), el("span", { text: (subject.kind === "thing" ? "" : subject.id + ", ") + subject.note }), jump),
+      el("div", { class: "kind" }, mark(failed ? "cross" : subject.mark, failed ? "fail" : ""), el("span", { text: (subject.kind === "thing" ? "" : subject.id + ", ") + subject.detail.note }), jump),
       el("div", { class: "row" }, el("h2", { text: subject.title }), big));
   }
   function showSure(big, subject, t) {
@@ -40,12 +52,13 @@ function inspectorPane(app) {
   // ---- what it says
   function definition(subject) {
     const out = [];
-    if (subject.say) out.push(el("p", { class: "say" }, ...withVariables(subject.say, subject.vars)));
-    if (subject.definition) {
-      const rows = subject.definition.map((part) => el("div", { class: part.side },
+    const { say, vars, definition: parts } = subject.detail;
+    if (say) out.push(el("p", { class: "say" + (subject.detail.strong ? " veto" : "") }, ...(vars ? withVariables(say, vars) : sentence(say))));
+    if (parts) {
+      const rows = parts.map((part) => el("div", { class: part.side },
         el("span", { class: "label" + (/_\d/.test(part.label) ? " id" : "") },
           part.subject ? el("button", { type: "button", class: "link", text: part.label, on: { click: () => app.select(part.subject) } }) : part.label),
-        el("span", { class: "lines" + (part.lines.length < 2 ? " one" : "") }, ...part.lines.map((line) => el("span", {}, ...conditionLine(line))))));
+        el("span", { class: "lines" + (part.lines.length < 2 ? " one" : "") }, ...part.lines.map((line) => el("span", { class: line.anti ? "anti" : null }, ...conditionLine(line))))));
       if (subject.kind === "requirement" || subject.kind === "model") {
         const now = el("span", {});
         rows.push(el("div", { class: "now" }, el("span", { class: "label", text: "now" }), now));
@@ -61,10 +74,27 @@ function inspectorPane(app) {
     node.replaceChildren(...bindings.flatMap(([name, value], i) => [i ? ", " : "", el("span", { class: "var", text: name }), " = ", el("b", { text: value })]));
   }
 
+  // ---- of an event: what it says, field by field
+  function eventFields(subject) {
+    if (!subject.detail.fields) return null;
+    const rows = subject.detail.fields.map((field) => el("tr", { title: field.meaning }, el("td", { class: "quiet", text: field.name }),
+      el("td", {}, field.go && app.subject(field.go) ? el("button", { type: "button", class: "link", text: field.text, on: { click: () => app.select(field.go) } }) : field.text)));
+    const about = [...app.log.subjectsOf(subject.event)].slice(0, 12).map((number) => app.subjectByNumber(number));
+    return block(el("p", { class: "quiet", text: subject.detail.meaning }), rows.length ? el("table", { class: "fields" }, el("tbody", {}, ...rows)) : "",
+      about.length ? heading("What is it about?") : "", subjectList(about));
+  }
+  // Subjects as rows that can be chosen.
+  function subjectList(subjects) {
+    if (!subjects.length) return "";
+    return el("div", { class: "tree" }, ...subjects.map((one) => el("div", { class: "line" }, el("button", { type: "button", on: { click: () => app.select(one.id) } },
+      el("span", { class: "what" }, mark(one.outcome === "failed" ? "cross" : one.mark, one.outcome === "failed" ? "fail" : ""),
+        el("span", {}, one.kind === "thing" ? "" : el("b", { text: one.id }), " " + one.title)), el("time", { text: secondsText(one.born) })))));
+  }
+
   // ---- of a thing: what is known of it now
   function facts(subject) {
     if (subject.kind !== "thing") return null;
-    const object = app.report.objects.find((one) => one.name === subject.name);
+    const object = app.report.objects.find((one) => "thing:" + one.name === subject.id);
     if (!object) return null;
     const body = el("tbody", {});
     live.push((t) => {
@@ -85,7 +115,7 @@ function inspectorPane(app) {
     const floor = Math.min(0.5, Math.floor(Math.min(...steps.map((s) => s.sure)) * 4) / 4);
     const X = (t) => left + (right - left) * (t - clock.start) / Math.max(1, clock.end - clock.start);
     const Y = (v) => bottom - (bottom - top) * (v - floor) / (1 - floor);
-    const picture = svg("svg", { class: "life", viewBox: `0 0 ${width} 92`, role: "img", "aria-label": "Confidence over time" });
+    const picture = svg("svg", { class: "life", viewBox: `0 0 ${width} 92`, role: "group", "aria-label": "Confidence over time" });
     for (const value of [floor, (1 + floor) / 2, 1]) {
       picture.append(svg("line", { class: "grid", x1: left, x2: right, y1: Y(value), y2: Y(value) }),
         svg("text", { x: left - 6, y: Y(value) + 4, "text-anchor": "end", text: String(Number(value.toFixed(2))).replace(/^0\./, ".") }));
@@ -101,8 +131,15 @@ function inspectorPane(app) {
     steps.forEach((step, i) => { d += i ? `H${X(step.at)}V${Y(step.sure)}` : `M${X(step.at)} ${Y(step.sure)}`; });
     if (!steps[steps.length - 1].deleted) d += `H${right}`;
     picture.append(svg("path", { class: "step", d }));
-    steps.forEach((step, i) => picture.append(i === 0 && subject.mark === "analogy" ? signAt("analogy", X(step.at), Y(step.sure), 14, "star")
-      : svg("circle", { class: "dot" + (step.failed ? " fail" : ""), cx: X(step.at), cy: Y(step.sure), r: 3.5 })));
+    // Each step leads to the event that caused it; where they are dense, the list below does.
+    const dots = steps.length > 60 ? steps.filter((step, i) => i === 0 || i === steps.length - 1 || step.failed || step.deleted) : steps;
+    dots.forEach((step, i) => picture.append(svg("g", { class: "step-dot", role: "button", tabindex: "0",
+      "aria-label": sureText(step.sure) + " at " + secondsText(step.at) + (step.why ? ": " + step.why : ""),
+      on: { click: () => { app.go(step.at); app.select("#" + step.event); },
+        keydown: (event) => { if (event.key === "Enter") { event.preventDefault(); app.go(step.at); app.select("#" + step.event); } } } },
+    svg("circle", { class: "area", cx: X(step.at), cy: Y(step.sure), r: 9 }),
+    i === 0 && subject.mark === "analogy" ? signAt("analogy", X(step.at), Y(step.sure), 14, "star")
+      : svg("circle", { class: "dot" + (step.failed ? " fail" : ""), cx: X(step.at), cy: Y(step.sure), r: 3.5 }))));
     // The first and the last value always, the others where there is air between them.
     const last = steps.length - 1;
     let free = -Infinity;
@@ -117,7 +154,7 @@ function inspectorPane(app) {
         free = room ? x - 8 : x + 110;
       } else if (i === last) {
         picture.append(svg("text", { class: "value", x: right + 10, y: y + 2 }, svg("tspan", { text: sureText(step.sure) })),
-          svg("text", { class: "value", x: right + 10, y: y + 16, text: fitted(step.deleted ? "deleted" : step.why, width - right - 12, 11.5) }));
+          svg("text", { class: "value", x: right + 10, y: y + 16, text: fitted(step.deleted ? "deleted" : step.why || "", width - right - 12, 11.5) }));
       } else if (x > free && X(steps[last].at) - x > 40) {
         const room = Math.min(X(steps[i + 1].at), right) - x - 8;
         picture.append(value(x + 6, y - 7, "start", step, room));
@@ -125,136 +162,148 @@ function inspectorPane(app) {
       }
     });
     live.push((t) => { now.setAttribute("x1", X(t)); now.setAttribute("x2", X(t)); });
-    return block(heading("How sure was it?", "confidence, moved by evidence"), picture);
+    const now2 = el("p", { class: "verdict" });
+    live.push((t) => {
+      const step = lastAt(steps, t, (s) => s.at);
+      now2.textContent = !step || step.total === undefined ? ""
+        : `Right ${Number(step.positive.toFixed(2))} of ${Number(step.total.toFixed(2))} times` + (step.strong ? ", confirmed" : "") + (step.phasedOut ? ", phased out" : "") + ".";
+    });
+    return block(heading("How sure was it?", "confidence, moved by evidence"), picture, now2);
   }
   function value(x, y, anchor, step, room) {
     const number = sureText(step.sure);
-    return svg("text", { class: "value", x, y, "text-anchor": anchor }, svg("title", { text: step.why }), svg("tspan", { text: number }),
-      " " + fitted(step.why, room - widthOf(number + " ", 12), 11.5));
+    return svg("text", { class: "value", x, y, "text-anchor": anchor }, svg("title", { text: step.why || "" }), svg("tspan", { text: number }),
+      " " + fitted(step.why || "", room - widthOf(number + " ", 12), 11.5));
   }
 
   // ---- goals and predictions: what came of it
   function outcome(subject) {
-    if (!subject.result) return null;
+    const { result } = subject.detail;
+    if (!result) return null;
     const failed = subject.outcome === "failed";
     const sign = failed ? "cross" : subject.outcome === "true" ? "check" : null;
-    return block(heading("What came of it?"), el("p", { class: "verdict" + (failed ? " fail" : "") },
-      sign ? mark(sign, failed ? "fail" : "") : "", " ", el("b", { class: failed ? "fail" : "", text: subject.result })));
+    const text = el("b", { class: failed ? "fail" : "", text: result });
+    const decided = subject.decided ? el("button", { type: "button", class: "link plain", on: { click: () => app.select("#" + subject.decided) } }, text) : text;
+    const line = el("p", { class: "verdict" + (failed ? " fail" : "") }, sign ? mark(sign, failed ? "fail" : "") : "", " ", decided);
+    const instead = el("p", { class: "verdict" });
+    if (failed && subject.kind === "prediction" && subject.decided) {
+      app.log.fields(subject.decided).then(({ fields }) => {
+        const seen = fields.find((field) => field.name === "evidence");
+        instead.append("Seen instead: ", seen ? el("button", { type: "button", class: "link plain", text: seen.text, on: { click: () => app.select(seen.go) } }) : "nothing in time", ".");
+      });
+    }
+    return block(heading("What came of it?"), line, instead);
   }
   function requirements(subject) {
-    if (!subject.requirements || !subject.requirements.length) return null;
-    const title = subject.kind === "prediction" ? "What said so?" : "When does it work?";
-    return block(heading(title), el("div", { class: "tree" }, ...subject.requirements.map((entry) => {
-      const button = el("button", { type: "button", on: { click: () => app.select(entry.subject) } },
-        el("span", { class: "what" }, mark(entry.mark), el("span", {}, el("b", { text: entry.subject }), " " + entry.text)),
-        el("time", { text: secondsText(entry.at) }));
-      return button;
-    })));
+    const ids = subject.detail.requirements;
+    if (!ids || !ids.length) return null;
+    return block(heading(subject.kind === "prediction" ? "What said so?" : "When does it work?"), subjectList(ids.slice(0, 40).map((id) => app.subject(id)).filter((one) => one)),
+      ids.length > 40 ? el("p", { class: "verdict quiet", text: `and ${ids.length - 40} more` }) : "");
+  }
+  // Where it comes from and where it belongs: the knowledge generalised, the goal served, sub-goals, commands.
+  function relatives(subject) {
+    const { derived_from: from, model, sub_goals: subGoals, commands, goal } = subject.detail;
+    const parts = [];
+    const list = (title, ids) => {
+      const known = (ids || []).map((id) => app.subject(id)).filter((one) => one);
+      if (known.length) parts.push(heading(title), subjectList(known.slice(0, 24)), known.length > 24 ? el("p", { class: "verdict quiet", text: `and ${known.length - 24} more` }) : "");
+    };
+    list("Generalised from", from ? [from] : []);
+    list("For which goal?", goal ? [goal] : subject.parent !== null && subject.parent !== undefined ? [app.report.subjects.id[subject.parent]] : []);
+    list("By which model?", model ? [model] : []);
+    list("What was wanted for it?", subGoals);
+    list("What was done for it?", commands);
+    return parts.length ? block(...parts) : null;
   }
   function plans(subject) {
-    if (!subject.plans) return null;
-    const rows = subject.plans.map((plan) => el("tr", { class: plan.committed ? "" : "missed" },
-      el("td", { text: plan.text }), el("td", { text: plan.score }),
+    const list = subject.detail.plans;
+    if (!list) return null;
+    const rows = list.map((plan) => el("tr", { class: plan.committed ? "" : "missed" },
+      el("td", {}, el("button", { type: "button", class: "link plain", text: plan.text || "nothing to do", title: "What was imagined",
+        on: { click: () => { app.go(plan.at); app.select(plan.event); app.setView("reasoning"); } } })), el("td", { text: plan.score }),
       el("td", {}, mark(plan.outcome === "reached" ? "check" : "cross"), plan.committed ? "chosen" : plan.outcome.replaceAll("_", " "))));
-    return block(heading("What was tried in the head?"), el("table", {},
-      el("thead", {}, el("tr", {}, el("th", { text: "commands" }), el("th", { text: "sure" }), el("th", {}))), el("tbody", {}, ...rows)));
+    return block(heading("What was tried in the head?", "a click shows the reasoning"), el("table", {},
+      el("thead", {}, el("tr", {}, el("th", { text: "commands" }), el("th", { text: "sure" }), el("th", {}, el("span", { class: "unseen", text: "what came of it" })))), el("tbody", {}, ...rows)));
+  }
+
+  // ---- why something did not happen: what was skipped, rejected, refused or contradicted on the way
+  const AGAINST = new Set(["GoalSkipped", "PlanRejected", "AnalogyCompared", "GoalDropped", "GoalSuspended", "CommandRefused", "PredictionFailed", "PredictionInvalidated"]);
+  function whyNot(subject) {
+    if (!["goal", "prediction", "command"].includes(subject.kind) || subject.outcome === "true") return null;
+    const goals = subject.kind === "goal" ? withSubGoals(subject.number) : [subject.number];
+    const against = new Set(goals.flatMap((number) => [...app.log.eventsOf(number)]).filter((event) => AGAINST.has(app.log.kind(event).name)));
+    if (subject.kind === "goal") {
+      for (const goal of goals) for (const event of app.log.eventsOf(goal)) for (const effect of app.log.effects(event)) if (AGAINST.has(app.log.kind(effect).name) && !app.log.imagined(effect)) against.add(effect);
+    }
+    const events = [...against].sort((a, b) => a - b);
+    if (!events.length) return null;
+    const shown = events.slice(0, 16);
+    return block(heading(subject.outcome === "failed" ? "Why not?" : "What spoke against it?", `${events.length} ${events.length === 1 ? "reason" : "reasons"}`, "part-whynot"),
+      el("div", { class: "tree" }, ...shown.map((event) => el("div", { class: "line" }, eventRow(app, event)))),
+      events.length > shown.length ? el("p", { class: "verdict quiet", text: `and ${events.length - shown.length} more` }) : "");
+  }
+  function withSubGoals(number) {
+    if (!app.subGoals) {
+      app.subGoals = new Map();
+      app.report.subjects.parent.forEach((parent, child) => {
+        if (parent === null) return;
+        if (!app.subGoals.has(parent)) app.subGoals.set(parent, []);
+        app.subGoals.get(parent).push(child);
+      });
+    }
+    const out = [number];
+    for (let i = 0; i < out.length && out.length < 200; ++i) out.push(...(app.subGoals.get(out[i]) || []));
+    return out;
   }
 
   // ---- what was compared
-  function comparisons(subject) {
-    if (!subject.compared) return null;
-    const [first, ...others] = subject.made_by_comparison ? subject.compared : [null, ...subject.compared];
+  function comparisons(subject, list) {
+    if (!list.length) return null;
+    const made = subject.detail.made_by_comparison || subject.kind === "event";
+    const [first, ...others] = made ? list : [null, ...list];
     const parts = [];
     if (first) {
       parts.push(heading("What was compared?", first.source + " with the scene, " + secondsText(first.at), "part-compared"),
-        comparisonTable(first), verdict(first));
+        comparisonTable(app, first), comparisonVerdict(first));
     } else {
       parts.push(heading("What was it compared with?", "", "part-compared"));
     }
     for (const other of others) {
-      const fold = el("details", {}, el("summary", {}, comparisonLine(other)), comparisonTable(other), verdict(other));
-      parts.push(fold);
+      parts.push(el("details", {}, el("summary", {}, comparisonLine(other)), comparisonTable(app, other), comparisonVerdict(other)));
     }
+    const more = (subject.detail.compared || []).length - list.length;
+    if (more > 0) parts.push(el("p", { class: "verdict quiet", text: `and ${more} more` }));
     return block(...parts);
-  }
-  function comparisonLine(one) {
-    return one.source + (one.object ? " for " + one.object : "") + ` at ${secondsText(one.at)}: ${one.matched + one.achievable}/${one.total}, ` + one.verdict;
-  }
-  function comparisonTable(one) {
-    const words = { matched: ["check", "kept"], achievable: ["goal", "can be brought about"], missed: ["cross", one.accepted ? "pruned" : "missing"] };
-    return el("table", {}, el("thead", {}, el("tr", {}, el("th", { text: "condition" }), el("th", { text: one.object ? "found for " + one.object : "found" }), el("th", {}))),
-      el("tbody", {}, ...one.rows.map((row) => el("tr", { class: row.status === "missed" ? "missed" : "" },
-        el("td", {}, ...conditionLine({ ...row.condition, cut: row.condition.cut && one.accepted })), el("td", { text: row.found }),
-        el("td", {}, mark(words[row.status][0]), words[row.status][1])))));
-  }
-  function verdict(one) {
-    const share = `${one.matched + one.achievable}/${one.total}`;
-    const text = [el("b", { text: `\u03c8 = ${share} = ${one.psi}, ${one.verdict}` })];
-    if (one.above && one.accepted) text.push(` (above ${one.above})`);
-    text.push(".");
-    if (one.accepted && one.source_sure) text.push(` Starts at ${one.psi} \u00d7 ${one.source_sure} (${one.requirement}) = ${one.confidence}.`);
-    text.push(` Jaccard ${one.jaccard}.`);
-    return el("p", { class: "verdict" }, ...text);
   }
 
   // ---- why, and what it led to
   function why(subject) {
-    const data = subject.why;
-    if (data.nodes.length < 2) return null;
-    const root = el("ol", { class: "tree" });
-    const lists = [root];
-    for (const [event, depth, sign] of data.nodes) {
-      const node = { depth, more: sign === 2 };
-      const item = el("li", {}, causeRow(event, sign === 1));
-      if (node.more) item.append(el("div", { class: "more", text: "and what led to that" }));
-      if (!lists[node.depth]) {
-        lists[node.depth] = el("ul", {});
-        lists[node.depth - 1].lastElementChild.append(lists[node.depth]);
-      }
-      lists[node.depth].append(item);
-      lists.length = node.depth + 1;
-    }
-    const rest = data.cut ? el("p", { class: "verdict quiet", text: `The whole tree: aerascope why RUN #${subject.event}` }) : null;
+    const root = subject.decided || subject.event;
+    if (subject.kind === "thing" || !app.log.causes(root).length) return null;
     const title = { goal: subject.outcome === "open" ? "Why is it wanted?" : "Why did it end so?", command: "Why was it done?",
-      prediction: subject.outcome === "open" ? "Why was it expected?" : "Why did it end so?" }[subject.kind] || "Why does it exist?";
-    return block(heading(title, `${data.levels} levels, ${data.first} first ${data.first === 1 ? "cause" : "causes"}`, "part-why"), root, rest);
+      prediction: subject.outcome === "open" ? "Why was it expected?" : "Why did it end so?", event: "Why did it happen?" }[subject.kind] || "Why does it exist?";
+    return block(heading(title, "down to what was seen", "part-why"), eventTree(app, [root], (event) => [...app.log.causes(event)]));
   }
   function led(subject) {
-    const data = subject.led;
-    if (!data.nodes.length) return null;
-    const rest = data.left_out ? el("p", { class: "verdict quiet", text: `and ${data.left_out} more` }) : null;
-    return block(heading(subject.kind === "thing" ? "What happened with it?" : "What did it lead to?", "", "part-led"),
-      el("ol", { class: "tree" }, ...data.nodes.map(([event]) => el("li", {}, causeRow(event)))), rest);
-  }
-  function causeRow(event, toldAbove) {
-    const node = app.report.events[event];
-    const still = lastAt(app.report.film.stills, node.at, (s) => s.at);
-    const button = el("button", { type: "button", class: node.failed ? "fail" : "", title: "#" + event,
-      on: { click: () => { if (node.subject) app.select(node.subject); app.go(node.at); } } });
-    if (still) button.append(thumbnail(still, node.text));
-    button.append(el("span", { class: "what" }, mark(node.failed ? "cross" : node.mark, node.failed ? "fail" : ""),
-      el("span", {}, ...sentence(node.text), toldAbove ? el("span", { class: "quiet", text: " (see above)" }) : "")), el("time", { text: secondsText(node.at) }));
-    return button;
+    if (subject.kind === "thing") return null;
+    const roots = effectsWorthALine(app.log, subject.event);
+    if (!roots.length) return null;
+    const shown = roots.slice(0, 24);
+    return block(heading("What did it lead to?", "", "part-led"), eventTree(app, shown, (event) => effectsWorthALine(app.log, event), { open: 0 }),
+      roots.length > shown.length ? el("p", { class: "verdict quiet", text: `and ${roots.length - shown.length} more` }) : "");
   }
 
-  // The still around the thing last named, enlarged.
-  function thumbnail(still, text) {
-    const image = el("img", { alt: "" });
-    showImage(image, still.image);
-    const named = text.split(/[^\p{L}\p{N}_]+/u).filter((word) => Object.hasOwn(still.objects, word)).pop();
-    if (named) {
-      const { outline, label } = still.objects[named];
-      const middle = (first) => {
-        const values = outline.filter((_, i) => i % 2 === first);
-        return values.length ? (Math.min(...values) + Math.max(...values)) / 2 : label[first];
-      };
-      const zoom = 2.4;
-      const { width, height } = app.report.film;
-      image.style.width = image.style.height = zoom * 100 + "%";
-      image.style.left = clamp(50 - zoom * 100 * middle(0) / width, 100 - zoom * 100, 0) + "%";
-      image.style.top = clamp(50 - zoom * 100 * middle(1) / height, 100 - zoom * 100, 0) + "%";
-    }
-    return el("span", { class: "thumb" }, image);
+  // ---- its life: every event that speaks of it
+  function happenings(subject) {
+    if (subject.number < 0) return null;
+    const events = app.log.eventsOf(subject.number);
+    if (!events.length) return null;
+    const told = [...events.subarray(0, 5000)].filter((event) => !app.log.imagined(event) && (app.log.worthALine(event) || app.log.kind(event).name === "EvidenceUpdated"));
+    const shown = told.slice(0, 14);
+    return block(heading(subject.kind === "thing" ? "What happened with it?" : "Its life", "", "part-life"),
+      el("div", { class: "tree" }, ...shown.map((event) => el("div", { class: "line" }, eventRow(app, event, { picture: false })))),
+      el("button", { type: "button", class: "link all-events", text: events.length === 1 ? "The one event that speaks of it" : `All ${events.length} events that speak of it`,
+        on: { click: () => { app.about(subject); app.setView("events"); } } }));
   }
 
   return app.add({

@@ -1,108 +1,136 @@
 // ---- lanes.js: everything over one time scale, with the one cursor that drags anywhere.
 
-const LANE = { axis: 22, phase: 20, row: 23, marks: 21, curve: 21, barHeight: 18, pad: 12, right: 44, curves: 5 };
+const LANE = { axis: 22, phase: 20, row: 23, marks: 21, curve: 21, barHeight: 18, pad: 12, right: 44, curves: 5, rows: 5, bars: 260 };
 
 function lanesPane(app) {
-  const { clock, lanes, pieces, subjects } = app.report;
+  const { clock, lanes, pieces } = app.report;
+  const { log } = app;
   const box = $("lanes");
   const labels = el("div", { class: "lane-labels" });
   const field = svg("svg", { class: "lane-field" });
-  const scroll = el("div", { class: "lanes-scroll" }, el("div", { class: "lanes" }, labels, field));
+  const scroll = el("div", { class: "lanes-scroll", tabindex: "-1" }, el("div", { class: "lanes" }, labels, field));
   box.append(scroll);
 
   const span = Math.max(clock.end - clock.start, clock.period, 1);
   let scale = 1;      // pixels a microsecond
-  let curves = [];    // ids of the drawn curves
+  let zoom = 1;       // of the scale that the length of the run suggests
+  let curves = [];    // the drawn curves: subject numbers
   let cursor, cursorText, cursorBox, past;
+  let still = [];     // drawn once: where each lane stands
+  let width = 0, height = 0;
   const X = (t) => LANE.pad + (t - clock.start) * scale;
   const T = (x) => clock.start + (x - LANE.pad) / scale;
 
-  // The selected model and those that changed most, in order of creation.
-  function chooseCurves(selected) {
-    const all = pieces.filter((piece) => subjects[piece.subject].confidence.length);
-    const change = (piece) => {
-      const steps = subjects[piece.subject].confidence;
-      return Math.max(...steps.map((s) => s.sure)) - Math.min(...steps.map((s) => s.sure));
-    };
-    const moved = all.filter((piece) => change(piece) > 0 && piece.subject !== selected)
-      .sort((a, b) => change(b) - change(a) || a.born - b.born);
-    const mine = all.filter((piece) => piece.subject === selected);
-    const others = moved.slice(0, LANE.curves - mine.length);
-    const shown = new Set([...mine, ...others].map((piece) => piece.subject));
-    return { shown: all.filter((piece) => shown.has(piece.subject)), more: moved.length - others.length };
-  }
-
-  // Bars of one lane may not overlap: the next free row takes what does not fit.
-  function rowsOf(bars) {
+  // The bars of a lane as rows of the page's data, in order of their beginning.
+  function barsOf(lane) {
+    const bars = lane.from.map((from, i) => ({ from, to: lane.to[i], text: lanes.texts[lane.text[i]], full: lanes.texts[lane.full[i]],
+      subject: app.report.subjects.id[lane.subject[i]], outcome: ["open", "true", "failed"][lane.sign[i] & 3], by: lane.sign[i] & 4 ? "teacher" : "agent", row: 0 }));
+    bars.sort((a, b) => a.from - b.from);
+    // Bars of one lane may not overlap: the next free row takes what does not fit; the last row takes all the rest.
     const ends = [];
-    return bars.map((bar) => {
+    for (const bar of bars) {
       let row = ends.findIndex((end) => end <= bar.from);
-      if (row < 0) row = ends.push(0) - 1;
-      ends[row] = Math.max(bar.to, bar.from + 1);
-      return row;
-    });
+      if (row < 0) row = ends.length < LANE.rows ? ends.push(0) - 1 : LANE.rows - 1;
+      ends[row] = Math.max(ends[row], bar.to, bar.from + 1);
+      bar.row = row;
+    }
+    return { bars, rows: Math.max(1, ends.length), longest: Math.max(0, ...chunked(bars, (bar) => bar.to - bar.from)) };
+  }
+  const marksOf = (lane) => lane.from.map((at, i) => ({ at, short: lanes.texts[lane.text[i]], text: lanes.texts[lane.full[i]], subject: app.report.subjects.id[lane.subject[i]] }))
+    .sort((a, b) => a.at - b.at);
+  const LANES = [["Goals", barsOf(lanes.goals), "left"], ["Commands", barsOf(lanes.commands), ""], ["Predictions", barsOf(lanes.predictions), "right"]];
+  const MARKS = [[lanes.taught_label, marksOf(lanes.taught), "learned"], ["Learned: analogy", marksOf(lanes.analogy), "analogy"]];
+
+  // The selected model and those that changed most, in order of creation.
+  const changing = pieces.map(([number], order) => {
+    const { start, value } = log.sure;
+    let low = 1, high = 0;
+    for (let i = start[number]; i < start[number + 1]; ++i) { low = Math.min(low, value[i]); high = Math.max(high, value[i]); }
+    return { number, order, change: high - low };
+  }).filter((piece) => piece.change > 0).sort((a, b) => b.change - a.change || a.order - b.order);
+  function chooseCurves(selected) {
+    const mine = pieces.findIndex(([number]) => number === selected);
+    const others = changing.filter((piece) => piece.number !== selected).slice(0, LANE.curves - (mine < 0 ? 0 : 1));
+    const shown = others.map((piece) => [piece.order, piece.number]);
+    if (mine >= 0 && log.sure.start[selected + 1] > log.sure.start[selected]) shown.push([mine, selected]);
+    return { shown: shown.sort((a, b) => a[0] - b[0]).map(([, number]) => number), more: Math.max(0, changing.length - shown.length) };
   }
 
+  // What changes with the selection or the width: where the lanes stand.
   function draw() {
     const style = getComputedStyle(labels);
     const labelWidth = parseFloat(style.width) || 136;
     const room = Math.max(200, box.clientWidth - labelWidth - LANE.pad - LANE.right);
     const frames = Math.max(1, app.frames.length);
-    scale = Math.max(room, frames * (frames > 200 ? 14 : 44)) / span;
-    const width = LANE.pad + span * scale + LANE.right;
+    const usual = Math.max(room, frames * (frames > 200 ? 14 : 44));
+    zoom = clamp(zoom, room / usual, 8);
+    scale = usual * zoom / span;
+    width = LANE.pad + span * scale + LANE.right;
     labels.replaceChildren();
-    const back = [], front = [];
+    still = [];
     let y = 0;
-    const label = (text, height, more) => {
+    const label = (text, high, more) => {
       const node = el("div", { class: more && more.class, title: more && more.title }, more && more.child ? more.child : text);
-      node.style.top = y + (height - 20) / 2 + "px";
+      node.style.top = y + (high - 20) / 2 + "px";
       labels.append(node);
       return node;
     };
 
-    label("Time", LANE.axis);
+    label("", LANE.axis, { child: el("span", { class: "lane-zoom" }, "Time ",
+      ...[["\u2212", "Shorter", 1 / 1.6], ["+", "Longer", 1.6]].map(([text, title, by]) => el("button", { type: "button", title: title + " time scale", "aria-label": title + " time scale", text, on: { click: () => zoomBy(by) } }))) });
     y += LANE.axis;
     if (lanes.phases.length) {
       label("Phase", LANE.phase);
-      for (const phase of lanes.phases) front.push(phaseBar(phase, y));
+      const top = y;
+      still.push((from, to) => lanes.phases.filter((phase) => phase.to >= from && phase.from <= to).map((phase) => phaseBar(phase, top)));
       y += LANE.phase + 2;
     }
-    const lane = (name, bars, shape) => {
-      if (!bars.length) return;
-      const rows = rowsOf(bars);
+    for (const [name, { bars, rows, longest }, shape] of LANES) {
+      if (!bars.length) continue;
       label(name, LANE.row);
-      bars.forEach((bar, i) => front.push(laneBar(bar, y + rows[i] * LANE.row, shape)));
-      y += LANE.row * (Math.max(...rows) + 1);
-    };
-    lane("Goals", lanes.goals, "left");
-    lane("Commands", lanes.commands, "");
-    lane("Predictions", lanes.predictions, "right");
-    const marks = (name, list, sign) => {
-      if (!list.length) return;
+      const top = y;
+      still.push((from, to) => barsIn(bars, longest, from, to, top, rows, shape));
+      y += LANE.row * rows;
+    }
+    for (const [name, list, sign] of MARKS) {
+      if (!list.length) continue;
       label(name, LANE.marks);
-      list.forEach((entry, i) => front.push(laneMark(entry, list[i + 1], y, sign)));
+      const top = y;
+      still.push((from, to) => {
+        const out = [];
+        let free = -Infinity;
+        for (let i = firstAfter(list, from - 200 / scale, (entry) => entry.at); i < list.length && list[i].at <= to; ++i) {
+          // Where they are dense, only as many as can be told apart.
+          if (X(list[i].at) < free) continue;
+          out.push(laneMark(list[i], list[i + 1], top, sign));
+          free = X(list[i].at) + 3;
+        }
+        return out;
+      });
       y += LANE.marks;
-    };
-    marks(lanes.taught_label, lanes.taught, "learned");
-    marks("Learned: analogy", lanes.analogy, "analogy");
+    }
 
-    const chosen = chooseCurves(app.selected);
+    const selected = app.numbers.get(app.selected);
+    const chosen = chooseCurves(selected);
     curves = chosen.shown;
     if (curves.length) {
       y += 4;
-      front.push(svg("line", { class: "grid", x1: 0, x2: width, y1: y + 0.5, y2: y + 0.5 }));
+      const line = y;
+      still.push(() => [svg("line", { class: "grid", x1: 0, x2: width, y1: line + 0.5, y2: line + 0.5 })]);
       y += 4;
-      for (const piece of curves) {
-        const selected = piece.subject === app.selected;
-        const button = el("button", { type: "button", class: selected ? "selected" : "", text: "Sure: " + piece.text,
-          title: "How sure: " + piece.text, on: { click: () => app.select(piece.subject) } });
-        button.dataset.subject = piece.subject;
+      for (const number of curves) {
+        const one = app.subjectByNumber(number);
+        const own = number === selected;
+        const button = el("button", { type: "button", class: own ? "selected" : "", text: "Sure: " + one.title,
+          title: "How sure: " + one.title, on: { click: () => app.select(one.id) } });
+        button.dataset.subject = one.id;
         const node = label("", LANE.curve, { child: button });
         // Where the curve begins late, its name may reach over the free field.
-        const free = width <= box.clientWidth - labelWidth + 1 ? X(subjects[piece.subject].confidence[0].at) - 44 : 0;
+        const free = width <= box.clientWidth - labelWidth + 1 ? X(log.confidence(number)[0].at) - 44 : 0;
         node.style.width = labelWidth - 20 + Math.max(0, free) + "px";
         node.style.right = "auto";
-        front.push(curve(piece, y, selected));
+        const top = y;
+        still.push((from, to) => [curve(one, top, own, from, to)]);
         y += LANE.curve;
       }
       if (chosen.more > 0) {
@@ -110,35 +138,90 @@ function lanesPane(app) {
         y += 18;
       }
     }
-    const height = y + 2;
+    height = y + 2;
     past = svg("rect", { class: "past", x: 0, y: LANE.axis, height: height - LANE.axis, width: 0 });
-    back.push(past, ...ticks(height, width));
     cursorText = svg("text", { y: 14 });
     cursorBox = svg("rect", { y: 0, height: 20, rx: 4 });
     cursor = svg("g", { class: "cursor", tabindex: "0", role: "slider", "aria-label": "Moment" },
       svg("line", { y1: 18, y2: height }), cursorBox, cursorText);
-    field.replaceChildren(...back, ...front, cursor);
     field.setAttribute("width", width);
     field.setAttribute("height", height);
     field.setAttribute("viewBox", `0 0 ${width} ${height}`);
     labels.style.height = height + "px";
     cursor.setAttribute("aria-valuemin", clock.start / 1e6);
     cursor.setAttribute("aria-valuemax", clock.end / 1e6);
+    drawSight();
   }
 
-  function ticks(height, width) {
+  // What is in sight, and a little beside it.
+  function drawSight() {
+    const focused = document.activeElement && field.contains(document.activeElement) ? document.activeElement.dataset.subject || "cursor" : "";
+    const from = T(scroll.scrollLeft - 300), to = T(scroll.scrollLeft + scroll.clientWidth + 300);
+    field.replaceChildren(past, ...ticks(from, to), ...still.flatMap((part) => part(from, to)), cursor);
+    field.dataset.from = String(from);
+    field.dataset.to = String(to);
+    showSelected();
+    if (focused === "cursor") cursor.focus();
+    else if (focused) { const same = [...field.querySelectorAll(".item")].find((node) => node.dataset.subject === focused && node.tabIndex === 0); if (same) same.focus(); }
+  }
+  let waiting = 0;
+  scroll.addEventListener("scroll", () => {
+    const from = T(scroll.scrollLeft), to = T(scroll.scrollLeft + scroll.clientWidth);
+    if (waiting || (from >= Number(field.dataset.from) && to <= Number(field.dataset.to))) return;
+    waiting = requestAnimationFrame(() => { waiting = 0; drawSight(); });
+  });
+  // The time scale changes around the cursor, or around what is pointed at.
+  function zoomBy(by, x = X(app.t) - scroll.scrollLeft) {
+    const at = T(scroll.scrollLeft + x);
+    zoom *= by;
+    draw();
+    scroll.scrollLeft = X(at) - x;
+    drawSight();
+    pane.showTime(app.t);
+  }
+  field.addEventListener("wheel", (event) => {
+    if (!event.ctrlKey) return;
+    event.preventDefault();
+    zoomBy(event.deltaY < 0 ? 1.25 : 0.8, event.clientX - scroll.getBoundingClientRect().left - labels.offsetWidth);
+  }, { passive: false });
+
+  // The bars between two times; where there are too many to be told apart, how dense they are.
+  function barsIn(bars, longest, from, to, top, rows, shape) {
+    const first = firstAfter(bars, from - longest, (bar) => bar.from);
+    const last = firstAfter(bars, to, (bar) => bar.from);
+    const inSight = [];
+    for (let i = first; i < last; ++i) if (bars[i].to >= from) inSight.push(bars[i]);
+    if (inSight.length <= LANE.bars) return inSight.map((bar) => laneBar(bar, top + bar.row * LANE.row, shape));
+    const step = 4;
+    const counts = new Map();
+    const failed = new Map();
+    for (const bar of inSight) {
+      const column = Math.floor(X(bar.from) / step);
+      counts.set(column, (counts.get(column) || 0) + 1);
+      if (bar.outcome === "failed") failed.set(column, (failed.get(column) || 0) + 1);
+    }
+    const most = Math.max(...counts.values());
+    const high = LANE.row * rows - 4;
+    const path = (map) => [...map].map(([column, count]) => { const h = Math.max(1.5, high * count / most); return `M${column * step} ${top + 2 + high - h}h${step - 1}v${h}h${1 - step}Z`; }).join("");
+    return [svg("g", {}, svg("title", { text: `${inSight.length} here; a longer time scale shows each` }), svg("path", { class: "density", d: path(counts) }), svg("path", { class: "density failed", d: path(failed) }))];
+  }
+
+  function ticks(from, to) {
     const out = [];
     const pixels = clock.period * scale || 60;
-    const every = Math.max(1, Math.ceil(36 / pixels));
-    const marks = app.frames.filter((_, i) => i % every === 0);
+    let every = 1;
+    for (const step of [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000, 50000, 100000]) { every = step; if (step * pixels >= 36) break; }
+    const first = Math.ceil(frameAt(app.frames, from) / every) * every;
+    const marks = [];
+    for (let i = first; i < app.frames.length && app.frames[i] <= to; i += every) marks.push([app.frames[i], i === 0]);
     const end = app.frames[app.frames.length - 1] + clock.period;
-    if (end <= clock.end && app.frames.length % every === 0) marks.push(end);
-    marks.forEach((at, i) => {
+    if (end <= clock.end && end <= to && app.frames.length % every === 0) marks.push([end, false]);
+    for (const [at, begins] of marks) {
       const x = Math.round(X(at)) + 0.5;
-      if (x > width) return;
+      if (x > width) break;
       out.push(svg("line", { class: "grid", x1: x, x2: x, y1: LANE.axis, y2: height }),
-        svg("text", { class: "tick", x, y: 15, text: tickText(at) + (i === 0 ? " s" : "") }));
-    });
+        svg("text", { class: "tick", x, y: 15, text: tickText(at) + (begins ? " s" : "") }));
+    }
     return out;
   }
 
@@ -155,14 +238,14 @@ function lanesPane(app) {
     const d = shape === "left" ? `M${x} ${top + h / 2}l${tip} ${-h / 2}H${x + w}v${h}H${x + tip}Z`
       : shape === "right" ? `M${x} ${top}H${x + w - tip}l${tip} ${h / 2}l${-tip} ${h / 2}H${x}Z`
         : `M${x} ${top}h${w}v${h}h${-w}Z`;
-    const failed = bar.outcome === "failed" || bar.refused;
+    const failed = bar.outcome === "failed";
     const decided = bar.outcome === "true" || failed;
     const signRoom = decided && w > 22 ? 10 : 0;
     const left = x + (shape === "left" ? tip + 1 : 4);
     const words = fitted(bar.text, x + w - left - signRoom - (shape === "right" ? tip - 3 : 2), 11);
-    const state = { true: ", came true", failed: ", failed", open: "" }[bar.outcome] || (bar.refused ? ", refused" : "");
+    const state = { true: ", came true", failed: shape === "" ? ", refused" : ", failed", open: "" }[bar.outcome];
     const title = (bar.full || bar.text) + ", " + secondsText(bar.from) + " to " + secondsText(bar.to) + state;
-    return selectable(bar.subject, title, (failed ? "failed " : "") + (bar.by || ""), bar.from,
+    return selectable(bar.subject, title, (failed ? "failed " : "") + (shape === "" ? bar.by : ""), bar.from,
       svg("path", { class: "bar", d }), svg("text", { x: left, y: top + 13, text: words }),
       signRoom ? signAt(failed ? "cross" : "check", x + w - (shape === "right" ? tip + 1 : 8), top + h / 2, 10, "mark") : "");
   }
@@ -177,23 +260,26 @@ function lanesPane(app) {
       words ? svg("text", { class: "note", x: x + 9, y: middle + 4, text: words }) : "");
   }
 
-  function curve(piece, y, selected) {
-    const steps = subjects[piece.subject].confidence;
+  function curve(one, y, selected, from, to) {
+    const all = log.confidence(one.number);
+    const start = Math.max(0, firstAfter(all, from, (step) => step.at) - 1);
+    const end = Math.min(all.length, firstAfter(all, to, (step) => step.at) + 1);
+    const steps = all.slice(start, end);
     const low = y + LANE.curve - 4.5, high = y + 4.5;
     const Y = (sure) => low + (high - low) * clamp((sure - 0.5) / 0.5, 0, 1);
     let d = "";
     const dots = [];
     steps.forEach((step, i) => {
       d += i ? `H${X(step.at)}V${Y(step.sure)}` : `M${X(step.at)} ${Y(step.sure)}`;
-      dots.push(svg("circle", { class: "dot", cx: X(step.at), cy: Y(step.sure), r: 2.2 }));
+      if (steps.length < 120) dots.push(svg("circle", { class: "dot", cx: X(step.at), cy: Y(step.sure), r: 2.2 }));
     });
-    const last = steps[steps.length - 1];
-    if (!last.deleted) d += `H${X(clock.end)}`;
-    const first = X(steps[0].at);
-    return selectable(piece.subject, "How sure: " + piece.text, "curve-item " + (selected ? "selected" : ""), null,
+    const last = all[all.length - 1];
+    if (!last.deleted && end === all.length) d += `H${X(clock.end)}`;
+    const first = X(all[0].at);
+    return selectable(one.id, "How sure: " + one.title, "curve-item " + (selected ? "selected" : ""), null,
       svg("rect", { class: "focus", x: first - 36, y, width: Math.max(60, X(clock.end) - first + 70), height: LANE.curve, rx: 4 }),
       svg("path", { class: "curve", d }), ...dots,
-      first > 44 ? svg("text", { x: first - 7, y: Y(steps[0].sure) + 4, "text-anchor": "end", text: sureText(steps[0].sure) }) : "",
+      first > 44 ? svg("text", { x: first - 7, y: Y(all[0].sure) + 4, "text-anchor": "end", text: sureText(all[0].sure) }) : "",
       last.deleted ? svg("text", { x: X(last.at) + 7, y: Y(last.sure) + 4, text: "deleted" })
         : svg("text", { x: X(clock.end) + 9, y: Y(last.sure) + 4, text: sureText(last.sure) }));
   }
@@ -259,17 +345,16 @@ function lanesPane(app) {
   // A long run is wider than the pane: the cursor stays in view.
   function keepInView(x) {
     const seen = scroll.clientWidth - labels.offsetWidth;
-    if (field.clientWidth <= seen) return;
+    if (width <= seen) return;
     if (x < scroll.scrollLeft + 24 || x > scroll.scrollLeft + seen - 24) scroll.scrollLeft = x - seen / 3;
   }
 
   draw();
-  let width = box.clientWidth;
+  let drawnFor = box.clientWidth;
   new ResizeObserver(() => {
-    if (box.clientWidth === width) return;
-    width = box.clientWidth;
+    if (box.clientWidth === drawnFor) return;
+    drawnFor = box.clientWidth;
     draw();
-    showSelected();
     pane.showTime(app.t);
   }).observe(box);
   const pane = {
@@ -283,14 +368,30 @@ function lanesPane(app) {
       cursorBox.setAttribute("x", -wide / 2);
       cursorBox.setAttribute("width", wide);
       // At the edges the tag stays inside.
-      const limit = Number(field.getAttribute("width"));
+      const limit = width;
       const shift = clamp(0, wide / 2 - x, Math.max(wide / 2 - x, limit - x - wide / 2));
       cursorBox.setAttribute("transform", `translate(${shift} 0)`);
       cursorText.setAttribute("transform", `translate(${shift} 0)`);
       past.setAttribute("width", Math.max(0, x));
       if (!dragging) keepInView(x);
     },
-    showSelection() { draw(); showSelected(); },
+    showSelection() { draw(); },
   };
   return app.add(pane);
+}
+
+// Where in a list, ordered by `at`, the entries after t begin.
+function firstAfter(list, t, at) {
+  let low = 0, high = list.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (at(list[middle]) < t) low = middle + 1; else high = middle;
+  }
+  return low;
+}
+// The largest value of each thousand; functions take no more arguments than so many.
+function chunked(list, value) {
+  const out = [];
+  for (let i = 0; i < list.length; i += 1000) out.push(Math.max(...list.slice(i, i + 1000).map(value)));
+  return out;
 }

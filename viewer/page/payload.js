@@ -1,25 +1,58 @@
 // ---- payload.js: the inert blocks of the page, decoded when they are asked for.
 
-async function unpack(block) {
-  const bytes = Uint8Array.from(atob(block.textContent), (c) => c.charCodeAt(0));
-  if (block.dataset.packed !== "gzip") return new Blob([bytes], { type: block.dataset.type });
+// The bytes of base64 text.
+function bytesOfBase64(text) {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes;
+}
+
+async function unpackedBytes(block) {
+  const bytes = bytesOfBase64(block.textContent || "");
+  if (block.dataset.packed !== "gzip") return bytes;
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Blob([await new Response(stream).arrayBuffer()], { type: block.dataset.type });
+  return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-async function readReport() {
-  return JSON.parse(await (await unpack($("report-data"))).text());
+// The bytes and the text of a block by its id; a page without it says so.
+async function blockBytes(id) {
+  const block = document.getElementById(id);
+  if (!block) throw new Error("the part " + id + " of the report is missing");
+  return unpackedBytes(block);
 }
+async function blockText(id) { return new TextDecoder().decode(await blockBytes(id)); }
 
-// The address of an image of the page; made once.
-const imageAddresses = new Map();
-function imageAddress(name) {
-  if (!imageAddresses.has(name)) {
-    imageAddresses.set(name, unpack($(name)).then((blob) => URL.createObjectURL(blob)));
+// The address of a block's bytes as an image or a film; made once.
+const blockAddresses = new Map();
+function blockAddress(id) {
+  if (!blockAddresses.has(id)) {
+    blockAddresses.set(id, blockBytes(id).then((bytes) =>
+      URL.createObjectURL(new Blob([bytes], { type: $(id).dataset.type }))));
   }
-  return imageAddresses.get(name);
+  return blockAddresses.get(id);
 }
-function showImage(image, name) {
-  image.dataset.image = name;
-  imageAddress(name).then((address) => { if (image.dataset.image === name) image.src = address; });
+function showImage(image, id) {
+  image.dataset.image = id;
+  blockAddress(id).then((address) => { if (image.dataset.image === id) image.src = address; });
+}
+
+// Columns of whole numbers as the writer's columns.h packs them.
+class ColumnReader {
+  constructor(bytes) { this.bytes = bytes; this.at = 0; }
+  take(count) { this.at += count; return this.bytes.subarray(this.at - count, this.at); }
+  unsigned() {
+    const { bytes } = this;
+    let byte = bytes[this.at++];
+    let value = byte & 127;
+    for (let unit = 128; byte > 127; unit *= 128) {
+      byte = bytes[this.at++];
+      value += (byte & 127) * unit;
+    }
+    return value;
+  }
+  signed() {
+    const value = this.unsigned();
+    return value % 2 ? -(value + 1) / 2 : value / 2;
+  }
 }

@@ -1,5 +1,6 @@
 #include "viewer/page/report.h"
 
+#include <algorithm>
 #include <map>
 #include <string_view>
 
@@ -7,16 +8,11 @@
 #include "engine/base/text.h"
 #include "viewer/page/embedded_page.inc"
 #include "viewer/page/encoding.h"
+#include "viewer/page/page_blocks.h"
 #include "viewer/page/report_data.h"
 
 namespace aerascope {
 namespace {
-
-// A block of the page that a browser does not look into until the script asks for it.
-std::string InertBlock(const std::string& id, const std::string& mime, bool packed, std::string_view bytes) {
-  return "<script type=\"application/octet-stream\" id=\"" + id + "\" data-type=\"" + EscapeMarkup(mime) +
-         "\"" + (packed ? " data-packed=\"gzip\"" : "") + ">" + Base64(bytes) + "</script>\n";
-}
 
 std::string ContentPolicy() {
   return "default-src 'none'; script-src 'sha256-" + Base64(BytesOfHex(kScriptSha256)) +
@@ -24,21 +20,14 @@ std::string ContentPolicy() {
          "'; img-src blob: data:; base-uri 'none'; form-action 'none'";
 }
 
-// Each image once, under a name made from its content.
-struct ImageBlocks {
-  std::string html;
-  std::vector<std::string> names;  // per still
-};
-ImageBlocks MakeImageBlocks(const ReportFrames& frames) {
-  ImageBlocks blocks;
-  std::map<Hash128, std::string> known;
+// Each image once, under a name made from its content; gives the names per still.
+std::vector<std::string> AddImages(const ReportFrames& frames, PageBlocks* blocks) {
+  std::vector<std::string> names;
   for (const Still& still : frames.stills) {
-    const Hash128 content = HashOf(still.bytes);
-    const auto [entry, is_new] = known.try_emplace(content, "image-" + ToText(content).substr(0, 16));
-    if (is_new) blocks.html += InertBlock(entry->second, frames.mime, false, still.bytes);
-    blocks.names.push_back(entry->second);
+    names.push_back("image-" + ToText(HashOf(still.bytes)).substr(0, 16));
+    blocks->Add("frames", names.back(), frames.mime, still.bytes);
   }
-  return blocks;
+  return names;
 }
 
 // The template with every @name@ replaced; a name without a value stays.
@@ -70,25 +59,29 @@ std::string Megabytes(std::size_t bytes) {
 }  // namespace
 
 Result<Report> BuildReport(const Run& run, const ReportFrames& frames, const ReportOptions& options) {
-  const ImageBlocks images = MakeImageBlocks(frames);
-  auto packed = Gzip(ReportData(run, frames, images.names, options));
-  if (!packed) return packed.error();
-  const std::string data = InertBlock("report-data", "application/json", true, *packed);
+  PageBlocks images, data;
+  const std::vector<std::string> names = AddImages(frames, &images);
+  if (Status added = AddReportData(run, frames, names, options, &data); !added) return added.error();
   const std::string title = EscapeMarkup(ReportTitle(run));
   const std::string policy = ContentPolicy();
-  const std::string blocks = data + images.html;
+  // What is needed first stands first.
+  const std::string blocks = data.html() + images.html();
 
   Report report;
   report.html = Filled(
       kPage,
       {{"policy", policy}, {"title", title}, {"style", kStyle}, {"script", kScript}, {"data", blocks}});
-  report.parts = {
-      {"page", report.html.size() - blocks.size()}, {"data", data.size()}, {"frames", images.html.size()}};
-  if (report.html.size() > kLargeReport)
+  report.parts.push_back({"page", report.html.size() - blocks.size()});
+  for (const PageBlocks* part : {&data, &images})
+    for (const auto& [name, bytes] : part->parts()) report.parts.push_back({name, bytes});
+  if (report.html.size() > kLargeReport) {
+    const auto largest = std::max_element(report.parts.begin(), report.parts.end(),
+                                          [](const ReportPart& a, const ReportPart& b) { return a.bytes < b.bytes; });
     report.warnings.push_back("The report is " + Megabytes(report.html.size()) + ", more than " +
-                              Megabytes(kLargeReport) + ", and may open slowly: frames take " +
-                              Megabytes(images.html.size()) +
-                              " of it; smaller or fewer frames make it lighter.");
+                              Megabytes(kLargeReport) + ", and may open slowly: " + largest->name + " take " +
+                              Megabytes(largest->bytes) + " of it" +
+                              (largest->name == "frames" ? "; smaller or fewer frames make it lighter." : "."));
+  }
   return report;
 }
 

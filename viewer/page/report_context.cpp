@@ -76,31 +76,6 @@ std::string ReportContext::SubjectOf(CompositeStateId state) const {
   return found == requirement_on.end() ? IdText(state) : IdText(found->second);
 }
 
-std::string ReportContext::SubjectOf(const Event& event) const {
-  if (event.simulation.valid()) return "";
-  const auto goal = [&](GoalId id) { return IdText(id); };
-  return std::visit(
-      Overloaded{[&](const CompositeStateCreated& e) { return SubjectOf(e.state.id); },
-                 [&](const ModelCreated& e) { return IdText(e.model.id); },
-                 [&](const EvidenceUpdated& e) { return IdText(e.model); },
-                 [&](const ModelStateChanged& e) { return IdText(e.model); },
-                 [&](const ImdlPredicted& e) { return IdText(e.requirement); },
-                 [&](const PredictionMade& e) { return IdText(e.prediction); },
-                 [&](const PredictionSucceeded& e) { return IdText(e.prediction); },
-                 [&](const PredictionFailed& e) { return IdText(e.prediction); },
-                 [&](const DriveInjected& e) { return goal(e.goal); },
-                 [&](const GoalSet& e) { return goal(e.goal); },
-                 [&](const GoalAchieved& e) { return goal(e.goal); },
-                 [&](const GoalFailed& e) { return goal(e.goal); },
-                 [&](const PlanCommitted& e) { return goal(e.goal); },
-                 [&](const CommandIssued&) { return IdText(event.id); },
-                 [&](const AnalogyCompared& e) {
-                   return IdText(e.result_requirement.valid() ? e.result_requirement : e.requirement);
-                 },
-                 [](const auto&) { return std::string(); }},
-      event.body);
-}
-
 bool ReportContext::TaughtAt(Time time) const {
   return std::any_of(summary.phases.begin(), summary.phases.end(), [&](const Phase& phase) {
     return phase.by == Commander::kTeacher && phase.interval.after < time && time <= phase.interval.before;

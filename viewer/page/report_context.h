@@ -34,8 +34,7 @@ struct ReportContext {
   std::map<CompositeStateId, ModelId> requirement_on;  // the first requirement model on a composite state
   std::map<ModelId, std::vector<Use>> uses;            // of requirement and causal models, by time
 
-  // The id under which the inspector knows what an event is about; empty if it has no page there.
-  std::string SubjectOf(const Event& event) const;
+  // The id under which the inspector knows a composite state; empty if there is no such state.
   std::string SubjectOf(CompositeStateId state) const;
   // Whether something that came about at this time was shown by a teacher: his command ran until then.
   bool TaughtAt(Time time) const;

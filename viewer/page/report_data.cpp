@@ -1,15 +1,25 @@
 #include "viewer/page/report_data.h"
 
 #include <algorithm>
+<<<<<<< HEAD
+=======
+#include <cmath>
+#include <map>
+>>>>>>> 7ae335d (Carry every event in the report, in columns and chunks decoded on demand)
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "engine/base/text.h"
+<<<<<<< HEAD
 #include "viewer/page/cause_data.h"
 #include "viewer/page/film_data.h"
+=======
+#include "viewer/page/event_log_data.h"
+>>>>>>> 7ae335d (Carry every event in the report, in columns and chunks decoded on demand)
 #include "viewer/page/graph_data.h"
 #include "viewer/page/report_context.h"
+#include "viewer/page/shortened.h"
 #include "viewer/page/subject_data.h"
+#include "viewer/page/subject_table.h"
 
 namespace aerascope {
 namespace {
@@ -22,21 +32,18 @@ std::string Plural(std::int64_t count, const std::string& word) {
 
 class ReportAuthor {
  public:
-  ReportAuthor(const ReportContext& context, const ReportFrames& frames,
+  ReportAuthor(const ReportContext& context, const SubjectTable& subjects, const ReportFrames& frames,
                const std::vector<std::string>& images, const ReportOptions& options)
       : context_(context),
+        subjects_(subjects),
         run_(context.run),
         knowledge_(context.knowledge),
         summary_(context.summary),
         frames_(frames),
         images_(images),
-        options_(options) {
-    for (const PredictionRecordOfRun& prediction : summary_.predictions)
-      counted_.insert(prediction.prediction);
-  }
+        options_(options) {}
 
-  json Write() const {
-    const json subjects = SubjectData(context_);
+  json Write(json log) const {
     return {{"title", Printable(run_.title())},
             {"summary", Summary()},
             {"provenance", Provenance()},
@@ -45,12 +52,12 @@ class ReportAuthor {
             {"film", FilmData(frames_, images_)},
             {"objects", Objects()},
             {"moments", Moments()},
-            {"story", Story()},
             {"graph", GraphData(context_)},
             {"pieces", Pieces()},
+            {"drives", Drives()},
             {"lanes", Lanes()},
-            {"events", TellEvents(context_, subjects)},
-            {"subjects", subjects},
+            {"log", std::move(log)},
+            {"subjects", SubjectIndex(context_, subjects_)},
             {"aliases", Aliases()}};
   }
 
@@ -183,54 +190,35 @@ class ReportAuthor {
     return moments;
   }
 
-  // ---- story
-
-  // The kind of a story row; empty for events that the story leaves out.
-  std::string StoryKind(const Event& event) const {
-    if (event.simulation.valid()) return "";
-    if (const auto* goal = std::get_if<GoalAchieved>(&event.body)) return IsDrive(goal->goal) ? "goal" : "";
-    if (const auto* goal = std::get_if<GoalFailed>(&event.body)) return IsDrive(goal->goal) ? "goal" : "";
-    if (std::holds_alternative<DriveInjected>(event.body)) return "goal";
-    if (std::holds_alternative<CommandIssued>(event.body)) return "command";
-    if (std::holds_alternative<CommandRefused>(event.body)) return "command";
-    if (std::holds_alternative<AnalogyCompared>(event.body)) return "analogy";
-    if (std::holds_alternative<ModelStateChanged>(event.body)) return "learned";
-    if (const auto* made = std::get_if<ModelCreated>(&event.body))
-      return IsRequirement(made->model) && made->origin != Origin::kSeed && made->origin != Origin::kAnalogy
-                 ? "learned"
-                 : "";
-    if (const auto* made = std::get_if<PredictionMade>(&event.body))
-      return IsCounted(made->prediction) ? "prediction" : "";
-    if (const auto* right = std::get_if<PredictionSucceeded>(&event.body))
-      return IsCounted(right->prediction) ? "prediction" : "";
-    if (const auto* wrong = std::get_if<PredictionFailed>(&event.body))
-      return IsCounted(wrong->prediction) ? "prediction" : "";
-    return "";
-  }
-
-  bool IsDrive(GoalId id) const {
-    return std::any_of(summary_.drives.begin(), summary_.drives.end(),
-                       [&](const DriveOutcome& drive) { return drive.goal == id; });
-  }
-  bool IsCounted(PredictionId id) const { return counted_.contains(id); }
-
-  json Story() const {
-    json story = json::array();
-    for (const Event& event : run_.events()) {
-      const std::string kind = StoryKind(event);
-      if (kind.empty()) continue;
-      json row = {
-          {"at", event.time.us}, {"kind", kind}, {"mark", MarkOf(event)}, {"text", SentenceOf(run_, event)}};
-      if (const std::string subject = context_.SubjectOf(event); !subject.empty()) row["subject"] = subject;
-      if (TellsOfFailure(event)) row["failed"] = true;
-      story.push_back(std::move(row));
-    }
-    return story;
-  }
-
   // ---- lanes
 
+  // A lane as columns, one entry a bar; texts are positions in the list of texts.
+  class Lane {
+   public:
+    explicit Lane(std::map<std::string, std::size_t>* texts) : texts_(texts) {}
+    void Add(Time from, Time to, const std::string& text, const std::string& full, std::size_t subject,
+             int sign) {
+      data_["from"].push_back(from.us);
+      data_["to"].push_back(to.us);
+      data_["text"].push_back(Number(text));
+      data_["full"].push_back(Number(full));
+      data_["subject"].push_back(subject);
+      data_["sign"].push_back(sign);
+    }
+    json Take() { return std::move(data_); }
+
+   private:
+    std::size_t Number(const std::string& text) {
+      return texts_->try_emplace(Shortened(text, kLongestTitle), texts_->size()).first->second;
+    }
+    std::map<std::string, std::size_t>* texts_;
+    json data_ = {{"from", json::array()}, {"to", json::array()},      {"text", json::array()},
+                  {"full", json::array()}, {"subject", json::array()}, {"sign", json::array()}};
+  };
+
+  // Signs: an Outcome, plus 4 for a teacher's command.
   json Lanes() const {
+    std::map<std::string, std::size_t> texts;
     json phases = json::array();
     for (const Phase& phase : summary_.phases)
       phases.push_back(
@@ -238,48 +226,63 @@ class ReportAuthor {
            {"to", phase.interval.before.us},
            {"text", phase.by == Commander::kTeacher ? "Guided experimentation: the teacher commands"
                                                     : "Task solving: the agent commands"}});
-    json goals = json::array();
+    Lane goals(&texts), commands(&texts), predictions(&texts), taught(&texts), analogy(&texts);
     for (const DriveOutcome& drive : summary_.drives)
-      goals.push_back({{"from", FrameStart(drive.from).us},
-                       {"to", BarEnd(drive.from, drive.until).us},
-                       {"text", Printable(drive.title)},
-                       {"outcome", OutcomeWord(drive.outcome)},
-                       {"subject", IdText(drive.goal)}});
-    json commands = json::array();
-    for (const IssuedCommand& command : CommandsOf(run_))
-      commands.push_back({{"from", FrameStart(command.time).us},
-                          {"to", BarEnd(command.time, command.interval.before).us},
-                          {"text", CommandWord(command.command)},
-                          {"full", PayloadText(knowledge_, command.command)},
-                          {"by", std::string(EnumName(command.by))},
-                          {"refused", command.refused.valid()},
-                          {"subject", IdText(command.event)}});
-    json predictions = json::array();
+      if (const auto number = subjects_.Find(drive.goal))
+        goals.Add(FrameStart(drive.from), BarEnd(drive.from, drive.until), Printable(drive.title),
+                  FactText(knowledge_, drive.target), *number, static_cast<int>(drive.outcome));
+    for (const IssuedCommand& command : subjects_.commands())
+      commands.Add(FrameStart(command.time), BarEnd(command.time, command.interval.before),
+                   CommandWord(command.command), PayloadText(knowledge_, command.command),
+                   *subjects_.Find(command.event),
+                   (command.refused.valid() ? static_cast<int>(Outcome::kFailed) : 0) +
+                       (command.by == Commander::kTeacher ? 4 : 0));
+    const std::map<PredictionId, std::string> targets = ShortTargets();
     for (const PredictionRecordOfRun& prediction : summary_.predictions)
-      predictions.push_back({{"from", FrameStart(prediction.time).us},
-                             {"to", BarEnd(prediction.time, prediction.until).us},
-                             {"text", ShortTarget(prediction)},
-                             {"full", FactText(knowledge_, prediction.target)},
-                             {"outcome", OutcomeWord(prediction.outcome)},
-                             {"subject", IdText(prediction.prediction)}});
-    json taught = json::array();
-    json analogy = json::array();
+      predictions.Add(FrameStart(prediction.time), BarEnd(prediction.time, prediction.until),
+                      targets.at(prediction.prediction), FactText(knowledge_, prediction.target),
+                      *subjects_.Find(prediction.prediction), static_cast<int>(prediction.outcome));
     bool all_taught = true;
     for (const ModelId id : summary_.learned) {
       const ModelRecord* record = knowledge_.Find(id);
       if (record == nullptr) continue;
       const bool derived = record->origin == Origin::kAnalogy;
       (derived ? analogy : taught)
-          .push_back({{"at", record->created.us},
-                      {"text", TitleOf(knowledge_, id)},
-                      {"short", ShortTitle(record->model)},
-                      {"subject", IdText(id)}});
+          .Add(record->created, record->created, ShortTitle(record->model), TitleOf(knowledge_, id),
+               *subjects_.Find(id), 0);
       all_taught = all_taught && (derived || context_.TaughtAt(record->created));
     }
-    return {{"phases", phases},     {"goals", goals},
-            {"commands", commands}, {"predictions", predictions},
-            {"taught", taught},     {"taught_label", all_taught ? "Learned: taught" : "Learned"},
-            {"analogy", analogy}};
+    json text_list = json::array();
+    std::vector<std::string> in_order(texts.size());
+    for (const auto& [text, number] : texts) in_order[number] = text;
+    for (std::string& text : in_order) text_list.push_back(std::move(text));
+    return {{"phases", phases},
+            {"goals", goals.Take()},
+            {"commands", commands.Take()},
+            {"predictions", predictions.Take()},
+            {"taught", taught.Take()},
+            {"taught_label", all_taught ? "Learned: taught" : "Learned"},
+            {"analogy", analogy.Take()},
+            {"texts", text_list}};
+  }
+
+  // What was wanted of the agent, in order, with what it did about it.
+  json Drives() const {
+    json drives = json::array();
+    for (const DriveOutcome& drive : summary_.drives) {
+      const auto number = subjects_.Find(drive.goal);
+      if (!number) continue;
+      const GoalNode& goal = context_.goals.goals[subjects_.list()[*number].position];
+      json commands = json::array();
+      for (const IssuedCommand& command : goal.commands) commands.push_back(*subjects_.Find(command.event));
+      drives.push_back({{"subject", *number},
+                        {"title", Shortened(Printable(drive.title), kLongestTitle)},
+                        {"from", drive.from.us},
+                        {"until", drive.until.us},
+                        {"outcome", static_cast<int>(drive.outcome)},
+                        {"commands", commands}});
+    }
+    return drives;
   }
 
   // Bars of the lanes cover whole frames: reasoning and commands begin a little after a frame does.
@@ -293,18 +296,6 @@ class ReportAuthor {
     if (end > FrameStart(from)) return end;
     const auto frame = run_.FrameAt(from);
     return frame ? run_.frames()[*frame].interval.before : std::max(until, from);
-  }
-
-  static std::string OutcomeWord(Outcome outcome) {
-    switch (outcome) {
-      case Outcome::kOpen:
-        return "open";
-      case Outcome::kReached:
-        return "true";
-      case Outcome::kFailed:
-        return "failed";
-    }
-    return "open";
   }
 
   std::string CommandWord(const Term& command) const {
@@ -322,35 +313,48 @@ class ReportAuthor {
     return TitleOf(knowledge_, requirement.id);
   }
 
-  // What is predicted in a word or two: the value, or the thing that has this value now ("at s1").
-  std::string ShortTarget(const PredictionRecordOfRun& prediction) const {
-    const Term& payload = prediction.target.payload;
-    if (!IsValue(payload)) return FactText(knowledge_, prediction.target);
-    const std::string sign = prediction.target.positive ? "" : "not ";
-    const bool place = !Place(payload[2]).empty();
-    if (!place) return sign + ValueText(payload[2]);
-    const std::string relation = payload[1].name() == "position" ? "at " : Printable(payload[1].name()) + " ";
-    const KnowledgeBase then = run_.KnowledgeBaseAt(prediction.time);
-    for (const auto& [id, record] : then.facts()) {
-      const Term& other = record.fact.payload;
-      if (!record.fact.positive || !IsValue(other) || !(other[1] == payload[1]) || other[0] == payload[0])
-        continue;
-      if (SameValue(other[2], payload[2])) return sign + relation + ValueText(other[0]);
+  // What each prediction expects in a word or two: the value, or the thing that has this value at that moment
+  // ("at s1").
+  std::map<PredictionId, std::string> ShortTargets() const {
+    std::map<EventId, const PredictionRecordOfRun*> predictions;
+    for (const PredictionRecordOfRun& prediction : summary_.predictions) predictions[prediction.event] = &prediction;
+    std::map<std::string, std::map<std::string, Term>> latest;  // attribute, entity, value
+    std::map<PredictionId, std::string> targets;
+    for (const Event& event : run_.events()) {
+      if (event.simulation.valid()) continue;
+      if (const auto* observed = std::get_if<FactObserved>(&event.body)) {
+        const Term& payload = observed->fact.payload;
+        if (observed->fact.positive && IsValue(payload) && payload[0].is(TermKind::kEntity))
+          latest[payload[1].name()][payload[0].name()] = payload[2];
+      }
+      if (const auto found = predictions.find(event.id); found != predictions.end())
+        targets[found->second->prediction] = ShortTarget(found->second->target, latest);
     }
+    return targets;
+  }
+  std::string ShortTarget(const Fact& target,
+                          const std::map<std::string, std::map<std::string, Term>>& latest) const {
+    const Term& payload = target.payload;
+    if (!IsValue(payload)) return FactText(knowledge_, target);
+    const std::string sign = target.positive ? "" : "not ";
+    if (Place(payload[2]).empty()) return sign + ValueText(payload[2]);
+    const std::string relation = payload[1].name() == "position" ? "at " : Printable(payload[1].name()) + " ";
+    if (const auto others = latest.find(payload[1].name()); others != latest.end())
+      for (const auto& [name, value] : others->second) {
+        const bool itself = payload[0].is(TermKind::kEntity) && payload[0].name() == name;
+        if (!itself && SameValue(value, payload[2])) return sign + relation + Printable(name);
+      }
     return sign + relation + ValueText(payload[2]);
   }
 
   // ---- pieces
 
-  // Pieces of knowledge: requirement models, in order of creation, with what lanes and counters need of them.
+  // Pieces of knowledge: requirement models in order of creation, by subject number, and whether it was learned.
   json Pieces() const {
     json pieces = json::array();
     for (const auto& [id, record] : knowledge_.models()) {
       if (!IsRequirement(record.model)) continue;
-      pieces.push_back({{"subject", IdText(id)},
-                        {"text", TitleOf(knowledge_, id)},
-                        {"born", record.created.us},
-                        {"learned", record.origin != Origin::kSeed}});
+      pieces.push_back({*subjects_.Find(id), record.origin != Origin::kSeed ? 1 : 0});
     }
     return pieces;
   }
@@ -364,24 +368,29 @@ class ReportAuthor {
   }
 
   const ReportContext& context_;
+  const SubjectTable& subjects_;
   const Run& run_;
   const KnowledgeBase& knowledge_;
   const EpisodeSummary& summary_;
   const ReportFrames& frames_;
   const std::vector<std::string>& images_;
   const ReportOptions& options_;
-  std::set<PredictionId> counted_;  // predictions that the summary counts
 };
 
 }  // namespace
 
-std::string ReportData(const Run& run, const ReportFrames& frames, const std::vector<std::string>& images,
-                       const ReportOptions& options) {
+Status AddReportData(const Run& run, const ReportFrames& frames, const std::vector<std::string>& images,
+                     const ReportOptions& options, PageBlocks* blocks) {
   const ReportContext context(run);
+  const SubjectTable subjects(context);
+  auto log = AddEventLog(context, subjects, blocks);
+  if (!log) return log.error();
+  if (Status added = AddSubjectDetails(context, subjects, blocks); !added) return added;
   // Text of an episode is any bytes; what is not UTF-8 is replaced rather than refused.
-  return ReportAuthor(context, frames, images, options)
-      .Write()
-      .dump(-1, ' ', false, json::error_handler_t::replace);
+  return blocks->AddPacked("overview", "report-data", "application/json",
+                           ReportAuthor(context, subjects, frames, images, options)
+                               .Write(std::move(*log))
+                               .dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 std::string ReportTitle(const Run& run) {

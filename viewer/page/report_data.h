@@ -1,16 +1,18 @@
-// Everything the report's page shows, as one JSON text; page.html and its scripts are the only readers.
+// What the report's page shows, as blocks of the page; page.html and its scripts are the only readers.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "viewer/page/page_blocks.h"
 #include "viewer/page/report.h"
 
 namespace aerascope {
 
-// `images` names, per still of `frames`, the block of the page that holds its bytes.
-std::string ReportData(const Run& run, const ReportFrames& frames, const std::vector<std::string>& images,
-                       const ReportOptions& options);
+// Adds block `report-data` (what the page needs at once) and those it names: the event log and the details of
+// subjects. `images` names, per still of `frames`, the block that holds its bytes.
+Status AddReportData(const Run& run, const ReportFrames& frames, const std::vector<std::string>& images,
+                     const ReportOptions& options, PageBlocks* blocks);
 
 // The title of the page.
 std::string ReportTitle(const Run& run);

@@ -3,26 +3,20 @@
 const STORY_KINDS = [["all", "All", ""], ["goal", "Goals", "goal"], ["command", "Commands", "command"],
   ["prediction", "Predictions", "prediction"], ["learned", "Learned", "learned"], ["analogy", "Analogy", "analogy"]];
 
+const STORY_WINDOW = 240;   // rows that are in the page at once
+
 function storyPane(app) {
   const list = $("story");
+  const { log } = app;
   let kind = "all";
   let words = "";
+  let shown = [];      // events of the story that the filter leaves
+  let first = 0;       // position in `shown` of the first row in the page
+  let rows = [];
 
-  const rows = app.report.story.map((row) => {
-    const item = el("li", { class: row.failed ? "fail" : "" },
-      el("button", { type: "button", on: { click: () => choose(row) } },
-        el("time", { text: secondsText(row.at) }),
-        mark(row.failed ? "cross" : row.mark, row.failed ? "fail" : ""),
-        el("span", {}, ...sentence(row.text))));
-    return { ...row, item, search: row.text.toLowerCase() };
-  });
-  const none = el("li", { class: "none", text: "Nothing of this kind happened." });
-  list.append(...rows.map((row) => row.item), none);
+  const told = [];
+  for (let event = 1; event <= log.count; ++event) if (log.chapter(event)) told.push(event);
 
-  function choose(row) {
-    if (row.subject) app.select(row.subject);
-    app.go(row.at);
-  }
   const chips = new Map();
   for (const [id, text, sign] of STORY_KINDS) {
     const chip = el("button", { type: "button", class: "chip", on: { click: () => pane.filter(id) } }, sign ? mark(sign) : "", text);
@@ -34,11 +28,51 @@ function storyPane(app) {
     $("fold").setAttribute("aria-expanded", String(!folded));
   });
 
-  function matches(row) {
+  function ofKind(event) {
+    const chapter = log.chapter(event);
     // What was learned by analogy was learned, too.
-    const fits = kind === "all" || row.kind === kind || (kind === "learned" && row.kind === "analogy" && !row.rejected);
-    return fits && (!words || row.search.includes(words));
+    return kind === "all" || chapter === kind || (kind === "learned" && chapter === "analogy" && madeSomething(event));
   }
+  const madeSomething = (event) => [...log.subjectsOf(event)].some((number) => app.report.subjects.event[number] > event && app.report.subjects.mark[number] === "analogy"
+    && app.report.subjects.kind[number] === "requirement");
+
+  function row(event) {
+    const failed = log.failed(event);
+    const at = log.time(event);
+    const item = el("li", { class: failed ? "fail" : "" },
+      el("button", { type: "button", on: { click: () => app.open(event) } },
+        el("time", { text: secondsText(at) }), mark(failed ? "cross" : log.mark(event), failed ? "fail" : ""), eventSentence(app, event)));
+    item.dataset.event = event;
+    return { event, at, item };
+  }
+  // The rows around a position; the rest is said, and a click away.
+  function drawAround(position) {
+    first = clamp(position - STORY_WINDOW / 2, 0, Math.max(0, shown.length - STORY_WINDOW));
+    const last = Math.min(shown.length, first + STORY_WINDOW);
+    rows = shown.slice(first, last).map(row);
+    const more = (count, text, to) => (count > 0 ? el("li", { class: "more" }, el("button", { type: "button", text: `${count} ${text}`, on: { click: () => { drawAround(to); showNow(); } } })) : "");
+    let before = null;
+    for (const one of rows) {
+      const when = secondsText(one.at);
+      one.item.classList.toggle("again", when === before);
+      before = when;
+    }
+    list.replaceChildren(...[more(first, "earlier", first), ...rows.map((one) => one.item), more(shown.length - last, "later", last),
+      shown.length ? "" : el("li", { class: "none", text: "Nothing of this kind happened." })].filter((node) => node));
+  }
+  function showNow() {
+    const start = app.frames[app.frame];
+    const end = app.frames[app.frame + 1] ?? Infinity;
+    let current = null;
+    for (const one of rows) {
+      const on = one.at >= start && one.at < end;
+      one.item.classList.toggle("on", on);
+      one.item.classList.toggle("later", one.at > app.t && !on);
+      if (on && !current) current = one.item;
+    }
+    return current;
+  }
+
   const pane = {
     filter(id) {
       kind = id;
@@ -47,33 +81,33 @@ function storyPane(app) {
       $("fold").setAttribute("aria-expanded", "true");
       pane.refresh();
     },
-    search(text) { words = text.toLowerCase(); pane.refresh(); },
+    async search(text) {
+      words = text.toLowerCase();
+      // Words are looked for where sentences are decoded already; a long run is searched in the list of events.
+      if (words && told.length < 20000) await log.loadTexts(told);
+      pane.refresh();
+    },
     refresh() {
-      let before = null, shown = 0;
-      for (const row of rows) {
-        row.item.hidden = !matches(row);
-        if (row.item.hidden) continue;
-        const when = secondsText(row.at);
-        row.item.classList.toggle("again", when === before);
-        before = when;
-        ++shown;
-      }
-      none.hidden = shown > 0;
+      shown = told.filter((event) => ofKind(event) && (!words || (log.textNow(event) || "").toLowerCase().includes(words)));
+      drawAround(positionAt(app.t));
       pane.showTime(app.t);
     },
     showTime(t) {
-      const start = app.frames[app.frame];
-      const end = app.frames[app.frame + 1] ?? Infinity;
-      let first = null;
-      for (const row of rows) {
-        const on = row.at >= start && row.at < end;
-        row.item.classList.toggle("on", on);
-        row.item.classList.toggle("later", row.at > t && !on);
-        if (on && !row.item.hidden && !first) first = row.item;
-      }
-      if (first) list.scrollTop = first.offsetTop - 4;
+      const position = positionAt(app.frames[app.frame]);
+      if (shown.length > STORY_WINDOW && (position < first || position >= first + rows.length)) drawAround(position);
+      const current = showNow();
+      if (current) list.scrollTop = current.offsetTop - 4;
     },
   };
+  // The first row of the story at or after t.
+  function positionAt(t) {
+    let low = 0, high = shown.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (log.time(shown[middle]) < t) low = middle + 1; else high = middle;
+    }
+    return low;
+  }
   pane.filter("all");
   return app.add(pane);
 }
@@ -87,7 +121,7 @@ function objectsPane(app) {
     showTime(t) {
       body.replaceChildren(...app.report.objects.map((object) => {
         const now = new Map();
-        for (const change of object.changes) if (change.at <= t) now.set(change.attribute, change.value);
+        for (const change of object.changes) { if (change.at > t) break; now.set(change.attribute, change.value); }
         const text = [...now].map(([attribute, value]) => attribute + " " + value).join(", ");
         return el("tr", {}, el("td", {}, el("button", { type: "button", class: "link", text: object.name, on: { click: () => app.select("thing:" + object.name) } }), " " + object.what), el("td", { text }));
       }));

@@ -1,0 +1,198 @@
+#include "viewer/page/event_log_data.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/text.h"
+#include "engine/query/describe.h"
+#include "viewer/page/analogy_data.h"
+#include "viewer/page/columns.h"
+#include "viewer/page/event_fields.h"
+#include "viewer/page/overloaded.h"
+#include "viewer/page/shortened.h"
+
+namespace aerascope {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestSentence = 1000;  // code points
+
+// Bits of a sign and of a step of confidence, see the header.
+constexpr unsigned kFailure = 8, kImagined = 16, kWorthALine = 32;
+constexpr unsigned kWasWrong = 1, kWasDeleted = 2, kIsStrong = 4, kIsPhasedOut = 8;
+
+// Whether an effect is worth a line; what is only thought on the way is looked through.
+bool IsWorthALine(const Event& event) {
+  if (event.simulation.valid()) return false;
+  return std::visit(
+      Overloaded{[](const PredictionSucceeded&) { return true; }, [](const PredictionFailed&) { return true; },
+                 [](const AnalogyCompared&) { return true; }, [](const ModelCreated&) { return true; },
+                 [](const ModelStateChanged&) { return true; }, [](const CommandIssued&) { return true; },
+                 [](const CommandRefused&) { return true; }, [](const GoalAchieved&) { return true; },
+                 [](const GoalFailed&) { return true; }, [](const DriveInjected&) { return true; },
+                 [](const auto&) { return false; }},
+      event.body);
+}
+
+class LogAuthor {
+ public:
+  LogAuthor(const ReportContext& context, const SubjectTable& subjects, PageBlocks* blocks)
+      : context_(context), run_(context.run), subjects_(subjects), blocks_(blocks) {}
+
+  Result<json> Write() {
+    WriteColumns();
+    WriteCauses();
+    if (Status written = blocks_->AddPacked("events", "log", kBytes, columns_.bytes()); !written)
+      return written.error();
+    if (Status written = blocks_->AddPacked("events", "log-causes", kBytes, causes_.bytes()); !written)
+      return written.error();
+    if (Status written = WriteChunks(); !written) return written.error();
+    return json{{"count", run_.events().size()},
+                {"chunk", kEventsAChunk},
+                {"kinds", DescribeKinds()},
+                {"marks", marks_}};
+  }
+
+ private:
+  static constexpr std::string_view kBytes = "application/octet-stream";
+
+  std::uint8_t MarkNumber(const std::string& mark) {
+    const auto [entry, is_new] = mark_numbers_.try_emplace(mark, marks_.size());
+    if (is_new) marks_.push_back(mark);
+    return static_cast<std::uint8_t>(entry->second);
+  }
+
+  void WriteColumns() {
+    const std::vector<Event>& events = run_.events();
+    for (const Event& event : events) columns_.Byte(static_cast<std::uint8_t>(event.body.index()));
+    for (const Event& event : events)
+      columns_.Byte(static_cast<std::uint8_t>(static_cast<unsigned>(ChapterOf(context_, subjects_, event)) |
+                                              (TellsOfFailure(event) ? kFailure : 0u) |
+                                              (event.simulation.valid() ? kImagined : 0u) |
+                                              (IsWorthALine(event) ? kWorthALine : 0u)));
+    for (const Event& event : events) columns_.Byte(MarkNumber(MarkOf(event)));
+    Time before;
+    for (const Event& event : events) {
+      columns_.Signed(event.time.us - before.us);
+      before = event.time;
+    }
+    for (const Event& event : events)
+      columns_.Unsigned(static_cast<std::uint64_t>(std::max<std::int64_t>(event.simulation.value, 0)));
+    for (const Event& event : events) {
+      const std::vector<std::size_t> mentioned = subjects_.MentionedBy(event);
+      columns_.Unsigned(mentioned.size());
+      for (const std::size_t number : mentioned) columns_.Unsigned(number);
+    }
+    WriteSure();
+  }
+
+  void WriteSure() {
+    std::map<std::size_t, const ModelHistory*> histories;
+    for (const auto& [id, history] : context_.histories)
+      if (const auto number = subjects_.Find(id)) histories[*number] = &history;
+    for (std::size_t number = 0; number < subjects_.list().size(); ++number) {
+      const auto found = histories.find(number);
+      if (found == histories.end()) {
+        columns_.Unsigned(0);
+        continue;
+      }
+      columns_.Unsigned(found->second->steps.size());
+      Time before;
+      EventId event;
+      for (const ConfidenceStep& step : found->second->steps) {
+        columns_.Signed(step.time.us - before.us);
+        columns_.Unsigned(static_cast<std::uint64_t>(std::clamp(step.evidence.rate(), 0.0, 1.0) * 10000 + 0.5));
+        columns_.Byte(static_cast<std::uint8_t>((step.success && !*step.success ? kWasWrong : 0u) |
+                                                (step.state == ModelState::kDeleted ? kWasDeleted : 0u) |
+                                                (step.strong ? kIsStrong : 0u) |
+                                                (step.state == ModelState::kPhasedOut ? kIsPhasedOut : 0u)));
+        columns_.Signed(step.event.value - event.value);
+        before = step.time;
+        event = step.event;
+      }
+    }
+  }
+
+  void WriteCauses() {
+    for (const Event& event : run_.events()) {
+      causes_.Unsigned(event.causes.size());
+      // A cause is an earlier event; a file in which it is not points at nothing.
+      for (const EventId cause : event.causes)
+        causes_.Unsigned(cause.value < event.id.value ? static_cast<std::uint64_t>(event.id.value - cause.value) : 0u);
+    }
+  }
+
+  Status WriteChunks() {
+    const std::vector<Event>& events = run_.events();
+    for (std::size_t start = 0, n = 0; start < events.size(); start += kEventsAChunk, ++n) {
+      std::string sentences, fields;
+      const std::size_t end = std::min(start + kEventsAChunk, events.size());
+      for (std::size_t i = start; i < end; ++i) {
+        sentences += Shortened(SentenceOf(run_, events[i]), kLongestSentence) + "\n";
+        json values = FieldsOf(run_, events[i]);
+        if (std::holds_alternative<AnalogyCompared>(events[i].body))
+          values.push_back(ComparisonData(context_, events[i]));
+        // Text of an episode is any bytes; what is not UTF-8 is replaced rather than refused.
+        fields += values.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+      }
+      if (Status written = blocks_->AddPacked("events", "text-" + std::to_string(n), "text/plain", sentences);
+          !written)
+        return written;
+      if (Status written = blocks_->AddPacked("events", "fields-" + std::to_string(n), "text/plain", fields);
+          !written)
+        return written;
+    }
+    return {};
+  }
+
+  const ReportContext& context_;
+  const Run& run_;
+  const SubjectTable& subjects_;
+  PageBlocks* blocks_;
+  ColumnWriter columns_;
+  ColumnWriter causes_;
+  std::vector<std::string> marks_;
+  std::map<std::string, std::size_t> mark_numbers_;
+};
+
+}  // namespace
+
+StoryChapter ChapterOf(const ReportContext& context, const SubjectTable& subjects, const Event& event) {
+  if (event.simulation.valid()) return StoryChapter::kNone;
+  const auto of_goal = [&](GoalId id) {
+    const auto number = subjects.Find(id);
+    if (!number) return StoryChapter::kNone;
+    const GoalNode& goal = context.goals.goals[subjects.list()[*number].position];
+    return goal.drive ? StoryChapter::kGoal : StoryChapter::kNone;
+  };
+  // Those about requirement models and those made in the head are not counted, and not told.
+  const auto of_prediction = [&](PredictionId id) {
+    return subjects.Find(id) ? StoryChapter::kPrediction : StoryChapter::kNone;
+  };
+  return std::visit(
+      Overloaded{[&](const DriveInjected&) { return StoryChapter::kGoal; },
+                 [&](const GoalAchieved& e) { return of_goal(e.goal); },
+                 [&](const GoalFailed& e) { return of_goal(e.goal); },
+                 [](const CommandIssued&) { return StoryChapter::kCommand; },
+                 [](const CommandRefused&) { return StoryChapter::kCommand; },
+                 [](const AnalogyCompared&) { return StoryChapter::kAnalogy; },
+                 [](const ModelStateChanged&) { return StoryChapter::kLearned; },
+                 [](const ModelCreated& e) {
+                   return IsRequirement(e.model) && e.origin != Origin::kSeed && e.origin != Origin::kAnalogy
+                              ? StoryChapter::kLearned
+                              : StoryChapter::kNone;
+                 },
+                 [&](const PredictionMade& e) { return of_prediction(e.prediction); },
+                 [&](const PredictionSucceeded& e) { return of_prediction(e.prediction); },
+                 [&](const PredictionFailed& e) { return of_prediction(e.prediction); },
+                 [](const auto&) { return StoryChapter::kNone; }},
+      event.body);
+}
+
+Result<json> AddEventLog(const ReportContext& context, const SubjectTable& subjects, PageBlocks* blocks) {
+  return LogAuthor(context, subjects, blocks).Write();
+}
+
+}  // namespace aerascope

@@ -1,0 +1,72 @@
+// ---- overview.js: the first screen: what was the task, was it reached, what was learned, what went wrong.
+
+function overviewPane(app) {
+  const { drives, pieces, film } = app.report;
+  const { log } = app;
+  const box = $("overview");
+  const heading = (text, note) => el("h2", {}, text, note ? el("span", { class: "quiet", text: note }) : "");
+  const wide = film.stills.length > 0;
+
+  function driveCard(drive, i) {
+    const subject = app.subjectByNumber(drive.subject);
+    const failed = subject.outcome === "failed", reached = subject.outcome === "true";
+    const done = drive.commands.map((number) => app.subjectByNumber(number));
+    const words = reached ? "reached at " + secondsText(drive.until) : failed ? "not reached by " + secondsText(drive.until) : "still open";
+    const go = () => { app.select(subject.id); app.go(reached || failed ? drive.until : drive.from); };
+    return el("li", { class: "drive" + (failed ? " fail" : "") },
+      el("button", { type: "button", class: "drive-button", on: { click: go } },
+        wide ? thumbnail(app, reached || failed ? drive.until : drive.from, subject.title + " " + drive.title, "still") : "",
+        el("span", { class: "drive-title" }, mark(failed ? "cross" : reached ? "check" : "goal", failed ? "fail" : ""), el("b", { text: `${i + 1}. ${drive.title}` })),
+        el("span", { class: "quiet", text: `wanted at ${secondsText(drive.from)}, ${words}` })),
+      el("p", { class: "quiet" }, done.length ? "by " : "nothing was done for it",
+        ...done.slice(0, 4).flatMap((command, k) => [k ? ", " : "", el("button", { type: "button", class: "link plain", text: command.title, on: { click: () => { app.select(command.id); app.go(command.born); } } })]),
+        done.length > 4 ? ` and ${done.length - 4} more` : ""));
+  }
+
+  function pieceRow([number]) {
+    const subject = app.subjectByNumber(number);
+    const steps = log.confidence(number);
+    const last = steps[steps.length - 1];
+    const tried = log.sure.start[number + 1] - log.sure.start[number] - 1;
+    const sure = !last ? "" : last.deleted ? "given up at " + secondsText(last.at) : last.phasedOut ? "phased out" : sureText(last.sure);
+    return el("tr", { class: last && last.deleted ? "gone" : "" },
+      el("td", {}, el("button", { type: "button", class: "link plain", on: { click: () => { app.select(subject.id); app.go(subject.born); } } }, mark(subject.mark), subject.title)),
+      el("td", { text: secondsText(subject.born) }), el("td", { text: tried > 0 ? String(tried) : "" }), el("td", {}, el("b", { text: sure })));
+  }
+
+  // What went wrong, most telling first: goals missed, predictions that failed, commands refused, ideas given up.
+  function troubles() {
+    const order = ["GoalFailed", "PredictionFailed", "CommandRefused", "ModelStateChanged"];
+    const out = [];
+    for (let event = 1; event <= log.count; ++event) {
+      if (log.imagined(event)) continue;
+      const kind = order.indexOf(log.kind(event).name);
+      if (kind < 0) continue;
+      const [subject] = log.subjectsOf(event);
+      // Predictions of requirement models, and goals on the way, are not counted in the heading either.
+      if ((kind === 0 || kind === 1) && !log.chapter(event)) continue;
+      if (kind === 3 && subject === undefined) continue;
+      out.push({ event, kind });
+    }
+    return out.sort((a, b) => a.kind - b.kind || a.event - b.event).map((one) => one.event);
+  }
+
+  const learned = pieces.filter(([, own]) => own);
+  const wrong = troubles();
+  const reached = drives.filter((drive) => drive.outcome === 1).length;
+  const shownPieces = learned.slice(0, 40), shownWrong = wrong.slice(0, 10);
+  box.append(...[
+    heading("What was to be done?", drives.length ? `${reached} of ${drives.length} reached` : "nothing was asked of it"),
+    el("ol", { class: "drives" + (wide ? "" : " plain") }, ...drives.slice(0, 24).map(driveCard)),
+    drives.length > 24 ? el("p", { class: "quiet", text: `and ${drives.length - 24} more, in the lane of goals` }) : "",
+    heading("What went wrong?", wrong.length ? `${wrong.length} ${wrong.length === 1 ? "event" : "events"}` : ""),
+    wrong.length ? el("div", { class: "tree" }, ...shownWrong.map((event) => el("div", { class: "line" }, eventRow(app, event))))
+      : el("p", { class: "quiet", text: "Nothing: no goal was missed, no prediction failed, no command was refused." }),
+    wrong.length > shownWrong.length ? el("p", { class: "quiet", text: `and ${wrong.length - shownWrong.length} more` }) : "",
+    heading("What was learned?", `${learned.length} ${learned.length === 1 ? "piece" : "pieces"} of knowledge`),
+    learned.length ? el("table", { class: "pieces" }, el("thead", {}, el("tr", {}, el("th", { text: "when this works" }), el("th", { text: "learned" }), el("th", { text: "tried" }), el("th", { text: "sure at the end" }))),
+      el("tbody", {}, ...shownPieces.map(pieceRow))) : "",
+    learned.length > shownPieces.length ? el("p", { class: "quiet", text: `and ${learned.length - shownPieces.length} more, under Knowledge` }) : "",
+  ].filter((node) => node));
+  return app.add({});
+}
