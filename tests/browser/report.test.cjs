@@ -101,7 +101,7 @@ test("keys step, jump to both ends, search and explain themselves", async () => 
 });
 
 test("dragging anywhere on the lanes scrubs film, graph and story together", async () => {
-  const { page, close } = await open("full");
+  const { page, close } = await open("full", { hash: "#view=knowledge" });
   const box = await page.locator(".lane-field").boundingBox();
   const image = () => page.locator("#film img").getAttribute("src");
   await page.mouse.move(box.x + 20, box.y + box.height - 4);

@@ -51,10 +51,11 @@ json ComparedRow(const ReportContext& context, const Condition& condition, const
     const EventId seen = component.found.valid() ? context.run.CreationOf(component.found) : EventId{};
     if (seen.valid()) facts.push_back(IdText(seen));
   }
-  return {{"condition", ConditionData(condition.text, condition.variables, status == ComponentStatus::kMissed)},
-          {"found", found.empty() ? "nothing" : Shortened(Join(found, ", "), kLongestLine)},
-          {"facts", facts},
-          {"status", std::string(EnumName(status))}};
+  return {
+      {"condition", ConditionData(condition.text, condition.variables, status == ComponentStatus::kMissed)},
+      {"found", found.empty() ? "nothing" : Shortened(Join(found, ", "), kLongestLine)},
+      {"facts", facts},
+      {"status", std::string(EnumName(status))}};
 }
 
 }  // namespace

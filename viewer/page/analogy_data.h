@@ -7,8 +7,10 @@
 
 namespace aerascope {
 
-// One condition of a composite state as a line: its text, the names of the variables in it, whether it was dropped.
-nlohmann::json ConditionData(const std::string& text, const std::vector<std::string>& variables, bool cut = false);
+// One condition of a composite state as a line: its text, the names of the variables in it, whether it was
+// dropped.
+nlohmann::json ConditionData(const std::string& text, const std::vector<std::string>& variables,
+                             bool cut = false);
 
 // The compared conditions with what was found for each, psi, the Jaccard index, confidence and verdict
 // (paper, equations 2 to 4).

@@ -40,6 +40,10 @@ function conditionLine(line) {
   const parts = withVariables(line.text, line.vars);
   return line.cut ? [el("s", {}, ...parts)] : parts;
 }
+// With a capital in front, unless the first word is a name such as grab_type_2.
+function capitalised(text) {
+  return /[_0-9]/.test(text.split(" ")[0]) ? text : text.charAt(0).toUpperCase() + text.slice(1);
+}
 // Sentences: ids of things that can be selected are set off, code marks are taken away.
 function sentence(text) {
   return text.split(/(\b(?:mdl|cst|goal|pred)_\d+\b|`[^`]*`)/).map((part) => {

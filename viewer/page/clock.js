@@ -8,7 +8,8 @@ class App {
     this.log = log;
     this.panes = [];
     this.t = report.clock.start;
-    this.selected = "";
+    this.selected = "";   // an id
+    this.chosen = null;   // the same with its details, once they are decoded
     this.view = "";
     this.theme = "";
     this.playing = 0;
@@ -82,6 +83,7 @@ class App {
     this.save();
     await Promise.all([this.detail(subject).then((detail) => { subject.detail = detail; }), this.log.loadCauses()]);
     if (this.selected !== subject.id) return;
+    this.chosen = subject;
     for (const pane of this.panes) if (pane.showSelection) pane.showSelection(subject);
     this.go(this.t);
   }
@@ -158,7 +160,8 @@ class App {
     else if (!this.selected) this.t = this.firstMoment(this.subject(chosen));
     this.saved = chosen + " " + (state.get("view") || "");
     for (const pane of this.panes) if (pane.restore) pane.restore(state);
-    this.setView(state.get("view") || (this.subject(wanted) ? "knowledge" : this.view || "overview"));
+    // An address from elsewhere that says what or when, but not where, means what was known then.
+    this.setView(state.get("view") || (wanted || Number.isFinite(seconds) ? "knowledge" : this.view || "overview"));
     await this.select(chosen);
     this.saved = this.selected + " " + this.view;
     this.go(this.t);

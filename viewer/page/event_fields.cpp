@@ -96,8 +96,9 @@ class FieldAuthor {
     for (std::size_t i = 0; i < std::min(list.size(), kLongestList); ++i) {
       const json value = Value(list[i]);
       if (list.size() == 1 && value.is_array()) return value;
-      parts.push_back(value.is_array() ? value[0].template get<std::string>()
-                                       : value.is_string() ? value.template get<std::string>() : "none");
+      parts.push_back(value.is_array()    ? value[0].template get<std::string>()
+                      : value.is_string() ? value.template get<std::string>()
+                                          : "none");
     }
     if (list.size() > kLongestList) parts.push_back(std::to_string(list.size() - kLongestList) + " more");
     return Shortened(Join(parts, "; "), kLongestValue);
@@ -111,8 +112,9 @@ class FieldAuthor {
       ForEachField<Other>([&](const auto& field) {
         const json part = Value(value.*field.member);
         if (part.is_null()) return;
-        parts.push_back(Words(field.name) + " " +
-                        (part.is_array() ? part[0].template get<std::string>() : part.template get<std::string>()));
+        parts.push_back(
+            Words(field.name) + " " +
+            (part.is_array() ? part[0].template get<std::string>() : part.template get<std::string>()));
       });
       return Shortened(Join(parts, ", "), kLongestValue);
     }
@@ -151,8 +153,9 @@ json DescribeKinds() {
   json kinds = json::array();
   ForEachKind([&]<class Body>() {
     json fields = json::array();
-    ForEachField<Body>(
-        [&](const auto& field) { fields.push_back({Words(field.name), std::string(field.meaning)}); });
+    ForEachField<Body>([&](const auto& field) {
+      fields.push_back({Words(field.name), std::string(field.meaning)});
+    });
     kinds.push_back({{"name", std::string(Body::kName)},
                      {"title", Words(Body::kName)},
                      {"meaning", std::string(Body::kMeaning)},

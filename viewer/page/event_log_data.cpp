@@ -27,12 +27,12 @@ constexpr unsigned kWasWrong = 1, kWasDeleted = 2, kIsStrong = 4, kIsPhasedOut =
 bool IsWorthALine(const Event& event) {
   if (event.simulation.valid()) return false;
   return std::visit(
-      Overloaded{[](const PredictionSucceeded&) { return true; }, [](const PredictionFailed&) { return true; },
-                 [](const AnalogyCompared&) { return true; }, [](const ModelCreated&) { return true; },
-                 [](const ModelStateChanged&) { return true; }, [](const CommandIssued&) { return true; },
-                 [](const CommandRefused&) { return true; }, [](const GoalAchieved&) { return true; },
-                 [](const GoalFailed&) { return true; }, [](const DriveInjected&) { return true; },
-                 [](const auto&) { return false; }},
+      Overloaded{[](const PredictionSucceeded&) { return true; },
+                 [](const PredictionFailed&) { return true; }, [](const AnalogyCompared&) { return true; },
+                 [](const ModelCreated&) { return true; }, [](const ModelStateChanged&) { return true; },
+                 [](const CommandIssued&) { return true; }, [](const CommandRefused&) { return true; },
+                 [](const GoalAchieved&) { return true; }, [](const GoalFailed&) { return true; },
+                 [](const DriveInjected&) { return true; }, [](const auto&) { return false; }},
       event.body);
 }
 
@@ -103,7 +103,8 @@ class LogAuthor {
       EventId event;
       for (const ConfidenceStep& step : found->second->steps) {
         columns_.Signed(step.time.us - before.us);
-        columns_.Unsigned(static_cast<std::uint64_t>(std::clamp(step.evidence.rate(), 0.0, 1.0) * 10000 + 0.5));
+        columns_.Unsigned(
+            static_cast<std::uint64_t>(std::clamp(step.evidence.rate(), 0.0, 1.0) * 10000 + 0.5));
         columns_.Byte(static_cast<std::uint8_t>((step.success && !*step.success ? kWasWrong : 0u) |
                                                 (step.state == ModelState::kDeleted ? kWasDeleted : 0u) |
                                                 (step.strong ? kIsStrong : 0u) |
@@ -120,7 +121,8 @@ class LogAuthor {
       causes_.Unsigned(event.causes.size());
       // A cause is an earlier event; a file in which it is not points at nothing.
       for (const EventId cause : event.causes)
-        causes_.Unsigned(cause.value < event.id.value ? static_cast<std::uint64_t>(event.id.value - cause.value) : 0u);
+        causes_.Unsigned(
+            cause.value < event.id.value ? static_cast<std::uint64_t>(event.id.value - cause.value) : 0u);
     }
   }
 
@@ -171,24 +173,24 @@ StoryChapter ChapterOf(const ReportContext& context, const SubjectTable& subject
   const auto of_prediction = [&](PredictionId id) {
     return subjects.Find(id) ? StoryChapter::kPrediction : StoryChapter::kNone;
   };
-  return std::visit(
-      Overloaded{[&](const DriveInjected&) { return StoryChapter::kGoal; },
-                 [&](const GoalAchieved& e) { return of_goal(e.goal); },
-                 [&](const GoalFailed& e) { return of_goal(e.goal); },
-                 [](const CommandIssued&) { return StoryChapter::kCommand; },
-                 [](const CommandRefused&) { return StoryChapter::kCommand; },
-                 [](const AnalogyCompared&) { return StoryChapter::kAnalogy; },
-                 [](const ModelStateChanged&) { return StoryChapter::kLearned; },
-                 [](const ModelCreated& e) {
-                   return IsRequirement(e.model) && e.origin != Origin::kSeed && e.origin != Origin::kAnalogy
-                              ? StoryChapter::kLearned
-                              : StoryChapter::kNone;
-                 },
-                 [&](const PredictionMade& e) { return of_prediction(e.prediction); },
-                 [&](const PredictionSucceeded& e) { return of_prediction(e.prediction); },
-                 [&](const PredictionFailed& e) { return of_prediction(e.prediction); },
-                 [](const auto&) { return StoryChapter::kNone; }},
-      event.body);
+  return std::visit(Overloaded{[&](const DriveInjected&) { return StoryChapter::kGoal; },
+                               [&](const GoalAchieved& e) { return of_goal(e.goal); },
+                               [&](const GoalFailed& e) { return of_goal(e.goal); },
+                               [](const CommandIssued&) { return StoryChapter::kCommand; },
+                               [](const CommandRefused&) { return StoryChapter::kCommand; },
+                               [](const AnalogyCompared&) { return StoryChapter::kAnalogy; },
+                               [](const ModelStateChanged&) { return StoryChapter::kLearned; },
+                               [](const ModelCreated& e) {
+                                 return IsRequirement(e.model) && e.origin != Origin::kSeed &&
+                                                e.origin != Origin::kAnalogy
+                                            ? StoryChapter::kLearned
+                                            : StoryChapter::kNone;
+                               },
+                               [&](const PredictionMade& e) { return of_prediction(e.prediction); },
+                               [&](const PredictionSucceeded& e) { return of_prediction(e.prediction); },
+                               [&](const PredictionFailed& e) { return of_prediction(e.prediction); },
+                               [](const auto&) { return StoryChapter::kNone; }},
+                    event.body);
 }
 
 Result<json> AddEventLog(const ReportContext& context, const SubjectTable& subjects, PageBlocks* blocks) {

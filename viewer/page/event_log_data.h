@@ -14,8 +14,8 @@
 //              2 deleted from here on, 4 strong, 8 phased out), signed event number since the step before
 // Block `log-causes`: n times: count, then how many events before this one each cause is.
 // Blocks `text-0`, `text-1` ...: the sentences of kEventsAChunk events each, one a line.
-// Blocks `fields-0` ...: their fields, one JSON array a line: [position of the field, value] ..., values are a
-// text, [text, id to go to], or an object for a comparison (see analogy_data.h).
+// Blocks `fields-0` ...: their fields, one JSON array a line: [position of the field, value] ..., values are
+// a text, [text, id to go to], or an object for a comparison (see analogy_data.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -17,9 +17,10 @@ function eventsPane(app) {
   const kindsButton = el("summary", {}, "All kinds");
   const counts = new Array(log.kinds.length).fill(0);
   for (let i = 0; i < log.count; ++i) ++counts[log.kindOf[i]];
-  const off = new Set();
+  // The states of the world are for the film; there are many, and they say nothing.
+  const off = new Set([log.kindNumber("WorldStateRecorded")]);
   const boxes = log.kinds.map((kind, number) => {
-    const input = el("input", { type: "checkbox", checked: true });
+    const input = el("input", { type: "checkbox", checked: !off.has(number) });
     input.addEventListener("change", () => { if (input.checked) off.delete(number); else off.add(number); refresh(); });
     return { number, input, row: counts[number] ? el("label", { title: kind.meaning }, input, " " + kind.title, el("span", { class: "quiet", text: " " + counts[number] })) : "" };
   });

@@ -49,7 +49,7 @@ function filmPane(app) {
       showImage(image, still.image);
       image.alt = "The scene at " + clockText(still.at);
       const next = film.stills[film.stills.indexOf(still) + 1];
-      if (next) imageAddress(next.image);
+      if (next) blockAddress(next.image);
       const bound = boundObjects(app, t);
       // Bound things last, so that they lie on top.
       const names = Object.keys(still.objects).sort((a, b) => bound.has(a) - bound.has(b));
@@ -70,9 +70,9 @@ function thingButton(app, name, bound) {
 
 // Object -> variable of the selection that it is bound to now; a selected thing is itself, without a variable.
 function boundObjects(app, t) {
-  const subject = app.subject(app.selected);
+  const subject = app.chosen;
   const bound = new Map();
-  if (subject && subject.kind === "thing") bound.set(subject.name, "");
+  if (subject && subject.kind === "thing") bound.set(subject.id.slice("thing:".length), "");
   for (const [variable, value] of (subject && app.bindings(subject, t)) || []) bound.set(value, variable);
   return bound;
 }

@@ -124,7 +124,7 @@ function graphPane(app) {
       one.style.minWidth = one.style.maxWidth = zoom === 1 ? "" : "none";
     }
   }
-  const usualWidth = () => clamp(box.clientWidth - 28, 590, 720);
+  const usualWidth = () => clamp(box.clientWidth - 28, 500, 720);
   // Pixels a unit of the drawing.
   const unit = () => (picture.getBoundingClientRect().width || usualWidth() * zoom) / (graph.width + 2);
 
@@ -197,7 +197,7 @@ function graphPane(app) {
     map.hidden = small;
     if (small) return;
     const ratio = devicePixelRatio || 1;
-    const w = 56, h = Math.max(80, box.clientHeight - 8);
+    const w = 40, h = Math.max(80, box.clientHeight - 8);
     if (map.width !== Math.round(w * ratio) || map.height !== Math.round(h * ratio)) { map.width = Math.round(w * ratio); map.height = Math.round(h * ratio); map.style.height = h + "px"; }
     const pen = map.getContext("2d");
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -266,7 +266,7 @@ function graphPane(app) {
     const on = (k) => !shown || shown[k];
     const group = svg("g", { class: isOpenNow ? "open" : "", transform: `translate(0 ${top})` });
     if (band.title) group.append(svg("text", { class: "note", x: graph.columns[0], y: 12, text: band.title }));
-    if (band.cards.some((card) => card.kind === "state" || card.kind === "model")) group.append(foldMark(form, isOpenNow, index));
+    if (band.cards.some((card) => card.kind === "state")) group.append(foldMark(form, isOpenNow, index));
     band.edges.forEach((edge, i) => { if (on(edge.from) && on(edge.to)) group.append(drawEdge(band, edge, form, i, isOpenNow)); });
     band.cards.forEach((card, i) => { if (on(i)) group.append(drawCard(card, form.cards[i], isOpenNow)); });
     if (band.hidden > 0) {

@@ -38,7 +38,8 @@ class GraphAuthor {
     for (const PredictionRecordOfRun& prediction : context_.summary.predictions)
       if (prediction.outcome != Outcome::kOpen) decided_[prediction.model].push_back(&prediction);
     for (auto& [model, list] : decided_)
-      std::stable_sort(list.begin(), list.end(), [](const auto* a, const auto* b) { return a->until < b->until; });
+      std::stable_sort(list.begin(), list.end(),
+                       [](const auto* a, const auto* b) { return a->until < b->until; });
   }
 
   json Write() const {

@@ -40,7 +40,7 @@ function inspectorPane(app) {
     if (subject.confidence.length) live.push((t) => showSure(big, subject, t));
     return el("div", { class: "top" },
       el("div", { class: "kind" }, mark(failed ? "cross" : subject.mark, failed ? "fail" : ""), el("span", { text: (subject.kind === "thing" ? "" : subject.id + ", ") + subject.detail.note }), jump),
-      el("div", { class: "row" }, el("h2", { text: subject.title }), big));
+      el("div", { class: "row" }, el("h2", { text: subject.kind === "thing" ? subject.title : capitalised(subject.title) }), big));
   }
   function showSure(big, subject, t) {
     const step = lastAt(subject.confidence, t, (s) => s.at);
@@ -162,13 +162,13 @@ function inspectorPane(app) {
       }
     });
     live.push((t) => { now.setAttribute("x1", X(t)); now.setAttribute("x2", X(t)); });
-    const now2 = el("p", { class: "verdict" });
+    const counts = el("p", { class: "counts quiet" });
     live.push((t) => {
       const step = lastAt(steps, t, (s) => s.at);
-      now2.textContent = !step || step.total === undefined ? ""
-        : `Right ${Number(step.positive.toFixed(2))} of ${Number(step.total.toFixed(2))} times` + (step.strong ? ", confirmed" : "") + (step.phasedOut ? ", phased out" : "") + ".";
+      counts.textContent = !step || step.total === undefined ? ""
+        : `Evidence: right ${Number(step.positive.toFixed(2))} of ${Number(step.total.toFixed(2))}` + (step.strong ? ", confirmed" : "") + (step.phasedOut ? ", phased out" : "") + ".";
     });
-    return block(heading("How sure was it?", "confidence, moved by evidence"), picture, now2);
+    return block(heading("How sure was it?", "confidence, moved by evidence"), picture, counts);
   }
   function value(x, y, anchor, step, room) {
     const number = sureText(step.sure);

@@ -1,9 +1,9 @@
 // The inert blocks of a page: bytes that a browser keeps as text and does not look into until the script
 // asks for them.
 //
-// A block is a <script> of a type no browser runs, with base64 inside; large ones are compressed first. Blocks
-// stand in the order in which they were added; one with the id of an earlier one is left out, so what is named
-// by its content is stored once.
+// A block is a <script> of a type no browser runs, with base64 inside; large ones are compressed first.
+// Blocks stand in the order in which they were added; one with the id of an earlier one is left out, so what
+// is named by its content is stored once.
 #pragma once
 
 #include <map>

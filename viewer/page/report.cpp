@@ -75,12 +75,13 @@ Result<Report> BuildReport(const Run& run, const ReportFrames& frames, const Rep
   for (const PageBlocks* part : {&data, &images})
     for (const auto& [name, bytes] : part->parts()) report.parts.push_back({name, bytes});
   if (report.html.size() > kLargeReport) {
-    const auto largest = std::max_element(report.parts.begin(), report.parts.end(),
-                                          [](const ReportPart& a, const ReportPart& b) { return a.bytes < b.bytes; });
-    report.warnings.push_back("The report is " + Megabytes(report.html.size()) + ", more than " +
-                              Megabytes(kLargeReport) + ", and may open slowly: " + largest->name + " take " +
-                              Megabytes(largest->bytes) + " of it" +
-                              (largest->name == "frames" ? "; smaller or fewer frames make it lighter." : "."));
+    const auto largest =
+        std::max_element(report.parts.begin(), report.parts.end(),
+                         [](const ReportPart& a, const ReportPart& b) { return a.bytes < b.bytes; });
+    report.warnings.push_back(
+        "The report is " + Megabytes(report.html.size()) + ", more than " + Megabytes(kLargeReport) +
+        ", and may open slowly: " + largest->name + " take " + Megabytes(largest->bytes) + " of it" +
+        (largest->name == "frames" ? "; smaller or fewer frames make it lighter." : "."));
   }
   return report;
 }

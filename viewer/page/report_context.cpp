@@ -152,7 +152,8 @@ bool TellsOfFailure(const Event& event) {
     return ended->outcome != SimulationOutcome::kReached;
   if (const auto* updated = std::get_if<EvidenceUpdated>(&event.body)) return !updated->success;
   return std::holds_alternative<PredictionFailed>(event.body) ||
-         std::holds_alternative<PlanRejected>(event.body) || std::holds_alternative<ModelRejected>(event.body) ||
+         std::holds_alternative<PlanRejected>(event.body) ||
+         std::holds_alternative<ModelRejected>(event.body) ||
          std::holds_alternative<GoalFailed>(event.body) || std::holds_alternative<CommandRefused>(event.body);
 }
 
@@ -165,13 +166,6 @@ std::string ObjectOf(const AnalogyCompared& compared) {
     if (!inside.empty()) return inside;
   }
   return LastEntity(compared.bindings);
-}
-
-std::string Capitalised(std::string text) {
-  const std::string word = text.substr(0, text.find(' '));
-  if (word.find_first_of("_0123456789") != std::string::npos) return text;
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
 }
 
 }  // namespace aerascope

@@ -55,7 +55,4 @@ bool TellsOfFailure(const Event& event);
 // be empty.
 std::string ObjectOf(const AnalogyCompared& compared);
 
-// With a capital in front, unless the first word is a name such as grab_type_2.
-std::string Capitalised(std::string text);
-
 }  // namespace aerascope

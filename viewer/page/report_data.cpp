@@ -1,20 +1,12 @@
 #include "viewer/page/report_data.h"
 
 #include <algorithm>
-<<<<<<< HEAD
-=======
-#include <cmath>
 #include <map>
->>>>>>> 7ae335d (Carry every event in the report, in columns and chunks decoded on demand)
 #include <nlohmann/json.hpp>
 
 #include "engine/base/text.h"
-<<<<<<< HEAD
-#include "viewer/page/cause_data.h"
-#include "viewer/page/film_data.h"
-=======
 #include "viewer/page/event_log_data.h"
->>>>>>> 7ae335d (Carry every event in the report, in columns and chunks decoded on demand)
+#include "viewer/page/film_data.h"
 #include "viewer/page/graph_data.h"
 #include "viewer/page/report_context.h"
 #include "viewer/page/shortened.h"
@@ -317,7 +309,8 @@ class ReportAuthor {
   // ("at s1").
   std::map<PredictionId, std::string> ShortTargets() const {
     std::map<EventId, const PredictionRecordOfRun*> predictions;
-    for (const PredictionRecordOfRun& prediction : summary_.predictions) predictions[prediction.event] = &prediction;
+    for (const PredictionRecordOfRun& prediction : summary_.predictions)
+      predictions[prediction.event] = &prediction;
     std::map<std::string, std::map<std::string, Term>> latest;  // attribute, entity, value
     std::map<PredictionId, std::string> targets;
     for (const Event& event : run_.events()) {
@@ -349,7 +342,8 @@ class ReportAuthor {
 
   // ---- pieces
 
-  // Pieces of knowledge: requirement models in order of creation, by subject number, and whether it was learned.
+  // Pieces of knowledge: requirement models in order of creation, by subject number, and whether it was
+  // learned.
   json Pieces() const {
     json pieces = json::array();
     for (const auto& [id, record] : knowledge_.models()) {

@@ -98,13 +98,13 @@ class DetailAuthor {
     const Model& model = record.model;
     const ModelKind kind = KindOf(model);
     const bool requirement = IsRequirement(model);
-    json data = {{"note", (requirement && kind != ModelKind::kStrongRequirement
-                               ? ""
-                               : std::string(ToText(kind)) + ", ") +
-                              MadeNote(record.origin, record.created)},
-                 {"say", Shortened(ExplanationOf(knowledge_, model.id), kLongestText)},
-                 {"vars", VariableNames(knowledge_, model)},
-                 {"definition", requirement ? RequirementDefinition(model) : ModelDefinition(model, kind)}};
+    json data = {
+        {"note",
+         (requirement && kind != ModelKind::kStrongRequirement ? "" : std::string(ToText(kind)) + ", ") +
+             MadeNote(record.origin, record.created)},
+        {"say", Shortened(ExplanationOf(knowledge_, model.id), kLongestText)},
+        {"vars", VariableNames(knowledge_, model)},
+        {"definition", requirement ? RequirementDefinition(model) : ModelDefinition(model, kind)}};
     if (kind == ModelKind::kStrongRequirement) data["strong"] = true;
     if (record.derived_from.valid()) data["derived_from"] = IdText(record.derived_from);
     if (!requirement)
@@ -132,7 +132,8 @@ class DetailAuthor {
     if (const ModelRecord* causal = knowledge_.Find(target); causal != nullptr) {
       const ModelLines lines = LinesOf(knowledge_, causal->model);
       const bool strong = KindOf(model) == ModelKind::kStrongRequirement;
-      json line = ConditionData((strong ? "not: " : "") + lines.lhs + " \u2192 " + lines.rhs, lines.variables);
+      json line =
+          ConditionData((strong ? "not: " : "") + lines.lhs + " \u2192 " + lines.rhs, lines.variables);
       if (strong) line["anti"] = true;
       definition.push_back(
           {{"side", "rhs"}, {"label", IdText(target)}, {"subject", IdText(target)}, {"lines", {line}}});
@@ -154,9 +155,10 @@ class DetailAuthor {
   }
 
   json StateDetail(const CompositeStateRecord& record) const {
-    return {{"note", "composite state, " + MadeNote(record.origin, record.created)},
-            {"definition",
-             {{{"side", "lhs"}, {"label", IdText(record.state.id)}, {"lines", StateLines(record.state.id)}}}}};
+    return {
+        {"note", "composite state, " + MadeNote(record.origin, record.created)},
+        {"definition",
+         {{{"side", "lhs"}, {"label", IdText(record.state.id)}, {"lines", StateLines(record.state.id)}}}}};
   }
 
   std::string MadeNote(Origin origin, Time created) const {
@@ -193,7 +195,8 @@ class DetailAuthor {
     const auto made = context_.comparison_of.find(id);
     if (made != context_.comparison_of.end()) {
       add(made->second);
-      for (const EventId other : compared_for_.at(run_.FindBody<AnalogyCompared>(made->second)->goal)) add(other);
+      for (const EventId other : compared_for_.at(run_.FindBody<AnalogyCompared>(made->second)->goal))
+        add(other);
     }
     if (const auto found = compared_with_.find(id); found != compared_with_.end())
       for (const EventId other : found->second) add(other);
@@ -262,9 +265,10 @@ class DetailAuthor {
 
   json CommandDetail(const IssuedCommand& command) const {
     const bool teacher = command.by == Commander::kTeacher;
-    json data = {{"note", std::string(teacher ? "commanded by the teacher at " : "commanded by the agent at ") +
-                              SecondsText(command.time)},
-                 {"say", Shortened(SentenceOf(run_, *run_.Find(command.event)), kLongestText)}};
+    json data = {
+        {"note", std::string(teacher ? "commanded by the teacher at " : "commanded by the agent at ") +
+                     SecondsText(command.time)},
+        {"say", Shortened(SentenceOf(run_, *run_.Find(command.event)), kLongestText)}};
     if (const auto* refused = run_.FindBody<CommandRefused>(command.refused))
       data["result"] = Shortened("refused: " + Printable(refused->reason), kLongestText);
     if (command.goal.valid() && subjects_.Find(command.goal)) data["goal"] = IdText(command.goal);
@@ -304,9 +308,9 @@ json SubjectIndex(const ReportContext& context, const SubjectTable& subjects) {
     }
     parents.push_back(parent);
   }
-  return {{"id", ids},           {"title", titles},   {"kind", kinds},     {"mark", marks},
-          {"born", born},        {"gone", gone},      {"outcome", outcomes}, {"event", events},
-          {"decided", decided},  {"parent", parents}, {"block", kSubjectsABlock}};
+  return {{"id", ids},          {"title", titles},   {"kind", kinds},           {"mark", marks},
+          {"born", born},       {"gone", gone},      {"outcome", outcomes},     {"event", events},
+          {"decided", decided}, {"parent", parents}, {"block", kSubjectsABlock}};
 }
 
 Status AddSubjectDetails(const ReportContext& context, const SubjectTable& subjects, PageBlocks* blocks) {

@@ -60,7 +60,7 @@ SubjectTable::SubjectTable(const ReportContext& context) : context_(context) {
   AddPredictions();
   AddCommands();
   AddThings();
-  for (Subject& subject : list_) subject.title = Capitalised(Shortened(subject.title, kLongestTitle));
+  for (Subject& subject : list_) subject.title = Shortened(subject.title, kLongestTitle);
 }
 
 void SubjectTable::AddKnowledge() {
@@ -68,9 +68,16 @@ void SubjectTable::AddKnowledge() {
   for (const auto& [id, record] : knowledge.models()) {
     const bool requirement = IsRequirement(record.model);
     models_[id] = list_.size();
-    list_.push_back({requirement ? SubjectKind::kRequirement : SubjectKind::kModel, IdText(id),
-                     requirement ? MarkOf(record.origin) : "model", TitleOf(knowledge, id), record.created,
-                     context_.DeletedAt(id), Outcome::kOpen, record.event, {}, 0});
+    list_.push_back({requirement ? SubjectKind::kRequirement : SubjectKind::kModel,
+                     IdText(id),
+                     requirement ? MarkOf(record.origin) : "model",
+                     TitleOf(knowledge, id),
+                     record.created,
+                     context_.DeletedAt(id),
+                     Outcome::kOpen,
+                     record.event,
+                     {},
+                     0});
   }
   for (const auto& [id, record] : knowledge.composite_states()) {
     const auto requirement = context_.requirement_on.find(id);
@@ -79,8 +86,16 @@ void SubjectTable::AddKnowledge() {
       continue;
     }
     states_[id] = list_.size();
-    list_.push_back({SubjectKind::kState, IdText(id), MarkOf(record.origin), TitleOf(knowledge, id),
-                     record.created, std::nullopt, Outcome::kOpen, record.event, {}, 0});
+    list_.push_back({SubjectKind::kState,
+                     IdText(id),
+                     MarkOf(record.origin),
+                     TitleOf(knowledge, id),
+                     record.created,
+                     std::nullopt,
+                     Outcome::kOpen,
+                     record.event,
+                     {},
+                     0});
   }
 }
 
@@ -129,8 +144,16 @@ void SubjectTable::AddThings() {
     std::string id = "thing:" + shown;
     for (int n = 2; !ids.insert(id).second; ++n) id = "thing:" + shown + " (" + std::to_string(n) + ")";
     things_[name] = list_.size();
-    list_.push_back({SubjectKind::kThing, id, "seen", shown, context_.run.Find(first)->time, std::nullopt,
-                     Outcome::kOpen, first, {}, 0});
+    list_.push_back({SubjectKind::kThing,
+                     id,
+                     "seen",
+                     Printable(name),
+                     context_.run.Find(first)->time,
+                     std::nullopt,
+                     Outcome::kOpen,
+                     first,
+                     {},
+                     0});
   }
 }
 
@@ -142,13 +165,12 @@ std::vector<std::size_t> SubjectTable::MentionedBy(const Event& event) const {
   Mentions mentions(*this);
   mentions.Add(Find(event.id));
   // A comparison is told with what it made.
-  std::visit(
-      Overloaded{[&](const AnalogyCompared& e) {
-                   mentions.See(e.result_requirement.valid() ? e.result_requirement : e.requirement);
-                   mentions.See(e);
-                 },
-                 [&](const auto& body) { mentions.See(body); }},
-      event.body);
+  std::visit(Overloaded{[&](const AnalogyCompared& e) {
+                          mentions.See(e.result_requirement.valid() ? e.result_requirement : e.requirement);
+                          mentions.See(e);
+                        },
+                        [&](const auto& body) { mentions.See(body); }},
+             event.body);
   if (event.simulation.valid()) return mentions.numbers;
   std::visit(Overloaded{[&](const DriveInjected& e) { mentions.SeeThings(e.target.payload); },
                         [&](const AnalogyCompared& e) { mentions.SeeThings(e.bindings); },

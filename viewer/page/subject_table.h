@@ -23,8 +23,8 @@ struct Subject {
   Time born;
   std::optional<Time> gone;  // of knowledge that was deleted
   Outcome outcome = Outcome::kOpen;
-  EventId event;          // that brought it about
-  EventId outcome_event;  // that decided it; none while open
+  EventId event;             // that brought it about
+  EventId outcome_event;     // that decided it; none while open
   std::size_t position = 0;  // in the list it comes from: goals, predictions, commands
 };
 

@@ -1,24 +1,14 @@
 #include "viewer/page/encoding.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
+
+#include <limits>
+
+#include "tests/viewer/page/page_reader.h"
+#include "viewer/page/columns.h"
 
 namespace aerascope {
 namespace {
-
-std::string Gunzip(const std::string& packed) {
-  z_stream stream{};
-  inflateInit2(&stream, 15 + 16);
-  std::string text(1 << 20, '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-  stream.avail_in = static_cast<uInt>(packed.size());
-  stream.next_out = reinterpret_cast<Bytef*>(text.data());
-  stream.avail_out = static_cast<uInt>(text.size());
-  EXPECT_EQ(inflate(&stream, Z_FINISH), Z_STREAM_END);
-  text.resize(stream.total_out);
-  inflateEnd(&stream);
-  return text;
-}
 
 TEST(Encoding, Base64PadsToGroupsOfFour) {
   EXPECT_EQ(Base64(""), "");
@@ -40,6 +30,26 @@ TEST(Encoding, GzipGivesBackWhatWentInAndTheSameBytesEachTime) {
 
 TEST(Encoding, HexDigitsBecomeBytes) {
   EXPECT_EQ(BytesOfHex("00ffAb"), std::string("\x00\xff\xab", 3));
+}
+
+TEST(Columns, NumbersOfEitherSignComeBack) {
+  ColumnWriter writer;
+  const std::int64_t numbers[] = {0,
+                                  1,
+                                  -1,
+                                  63,
+                                  -64,
+                                  64,
+                                  1'000'000'000'000,
+                                  -7,
+                                  std::numeric_limits<std::int64_t>::max(),
+                                  std::numeric_limits<std::int64_t>::min()};
+  for (const std::int64_t number : numbers) writer.Signed(number);
+  writer.Unsigned(std::numeric_limits<std::uint64_t>::max());
+  ColumnReader reader(writer.bytes());
+  for (const std::int64_t number : numbers) EXPECT_EQ(reader.Signed(), number);
+  EXPECT_EQ(reader.Unsigned(), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_TRUE(reader.AtEnd());
 }
 
 }  // namespace

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 
 #include "tests/viewer/page/page_fixture.h"
-#include "viewer/page/report_data.h"
+#include "tests/viewer/page/page_reader.h"
+#include "viewer/page/event_log_data.h"
+#include "viewer/page/subject_data.h"
 
 namespace aerascope {
 namespace {
@@ -17,27 +20,34 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-json Data(const PageFixture& fixture = {}) {
+std::string Html(const PageFixture& fixture = {}) {
   const Run run = PaperRun(fixture);
-  return json::parse(ReportData(run, {}, {}, {"paper.episode"}));
+  return BuildReport(run, {}, {"paper.episode"})->html;
+}
+json Data(const std::string& html) {
+  return json::parse(BlockOf(html, "report-data"));
+}
+json Data(const PageFixture& fixture = {}) {
+  return Data(Html(fixture));
+}
+
+// The details of a subject, from the block that holds them.
+json DetailOf(const std::string& html, std::size_t number) {
+  const json block = json::parse(BlockOf(html, "subjects-" + std::to_string(number / kSubjectsABlock)));
+  return block[number % kSubjectsABlock];
+}
+
+std::vector<std::string> LinesOfBlock(const std::string& html, const std::string& id) {
+  std::vector<std::string> lines;
+  std::istringstream text(BlockOf(html, id));
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
 }
 
 std::string SummaryText(const json& data) {
   std::string text;
   for (const json& item : data["summary"]) text += item["text"].get<std::string>() + "; ";
   return text;
-}
-
-// The subject whose title holds all the words.
-json SubjectOf(const json& data, const std::string& kind, const std::vector<std::string>& words) {
-  for (const json& subject : data["subjects"]) {
-    const std::string title = subject["title"];
-    const bool all = std::all_of(words.begin(), words.end(), [&](const std::string& word) {
-      return title.find(word) != std::string::npos;
-    });
-    if (subject["kind"] == kind && all) return subject;
-  }
-  return {};
 }
 
 std::size_t CountOf(const std::string& text, const std::string& part) {
@@ -72,63 +82,98 @@ TEST(Report, FailedGraspShowsAsFailedGoalAndPrediction) {
   fixture.episode.cylinder_slips = true;
   const json data = Data(fixture);
   EXPECT_THAT(SummaryText(data), HasSubstr("4 of 5 goals reached"));
-  EXPECT_EQ(data["lanes"]["goals"].back()["outcome"], "failed");
-  EXPECT_EQ(data["lanes"]["predictions"].back()["outcome"], "failed");
-  const json row = data["story"].back();
-  EXPECT_EQ(row["failed"], true);
+  EXPECT_EQ(data["lanes"]["goals"]["sign"].back(), static_cast<int>(Outcome::kFailed));
+  EXPECT_EQ(data["lanes"]["predictions"]["sign"].back(), static_cast<int>(Outcome::kFailed));
+  EXPECT_EQ(data["drives"].back()["outcome"], static_cast<int>(Outcome::kFailed));
 }
 
 TEST(Report, AnalogyIsExplainedConditionByCondition) {
-  const json piece = SubjectOf(Data(), "requirement", {"rab_type_2", "large"});
-  const json derived = [&] {
-    const json data = Data();
-    for (const json& entry : data["lanes"]["analogy"])
-      if (entry["at"] == 6000000) return data["subjects"][entry["subject"].get<std::string>()];
-    return json();
-  }();
-  ASSERT_FALSE(derived.is_null());
+  const std::string html = Html();
+  const json data = Data(html);
+  const json& lane = data["lanes"]["analogy"];
+  const auto at = std::find(lane["from"].begin(), lane["from"].end(), 6000000);
+  ASSERT_NE(at, lane["from"].end());
+  const std::size_t number = lane["subject"][static_cast<std::size_t>(at - lane["from"].begin())];
+  const json derived = DetailOf(html, number);
   EXPECT_EQ(derived["made_by_comparison"], true);
-  const json comparison = derived["compared"][0];
+  // The rejected comparison for the same goal is told, too.
+  ASSERT_GE(derived["compared"].size(), 2u);
+
+  const std::size_t event = derived["compared"][0].get<std::size_t>();
+  const json fields = json::parse(LinesOfBlock(html, "fields-0").at(event - 1));
+  const json comparison = fields.back();
   EXPECT_EQ(comparison["psi"], "0.75");
   EXPECT_EQ(comparison["jaccard"], "0.6");
   EXPECT_EQ(comparison["object"], "s1");
   std::multiset<std::string> statuses;
   for (const json& row : comparison["rows"]) statuses.insert(row["status"].get<std::string>());
   EXPECT_EQ(statuses, (std::multiset<std::string>{"matched", "matched", "matched", "missed"}));
-  // The rejected comparison for the same goal is told, too.
-  EXPECT_GE(derived["compared"].size(), 2u);
-  EXPECT_DOUBLE_EQ(derived["confidence"][0]["sure"], 0.75);
-  EXPECT_DOUBLE_EQ(derived["confidence"][1]["sure"], 0.875);
+  EXPECT_EQ(derived["steps"][0], (json{"by analogy", 0.75, 1.0}));
+  EXPECT_EQ(derived["steps"][1][2], 2.0);
 }
 
-TEST(Report, WhyLeadsBackToWhatWasSeen) {
-  const json data = Data();
-  const json subject = data["subjects"][data["lanes"]["analogy"][0]["subject"].get<std::string>()];
-  const json& nodes = subject["why"]["nodes"];
-  ASSERT_FALSE(nodes.empty());
-  EXPECT_EQ(nodes[0][1], 0);
-  EXPECT_TRUE(std::any_of(nodes.begin(), nodes.end(), [&](const json& node) {
-    return data["events"][std::to_string(node[0].get<int>())]["mark"] == "seen";
-  }));
-  for (std::size_t i = 1; i < nodes.size(); ++i) EXPECT_LE(nodes[i][1], nodes[i - 1][1].get<int>() + 1);
+TEST(Report, EveryEventIsThereWithItsSentenceItsFieldsAndItsCauses) {
+  const auto run = PaperRun({});
+  const std::string html = Html();
+  const json log = Data(html)["log"];
+  const std::size_t n = run.events().size();
+  EXPECT_EQ(log["count"], n);
+  const std::vector<std::string> sentences = LinesOfBlock(html, "text-0");
+  const std::vector<std::string> fields = LinesOfBlock(html, "fields-0");
+  ASSERT_EQ(sentences.size(), std::min(n, kEventsAChunk));
+  ASSERT_EQ(fields.size(), sentences.size());
+  ColumnReader columns(BlockOf(html, "log"));
+  for (const Event& event : run.events()) EXPECT_EQ(columns.Byte(), event.body.index());
+  ColumnReader causes(BlockOf(html, "log-causes"));
+  for (const Event& event : run.events()) {
+    ASSERT_EQ(causes.Unsigned(), event.causes.size());
+    for (const EventId cause : event.causes)
+      EXPECT_EQ(causes.Unsigned(), static_cast<std::uint64_t>(event.id.value - cause.value));
+  }
+  EXPECT_TRUE(causes.AtEnd());
+  for (std::size_t i = 0; i < sentences.size(); ++i) {
+    EXPECT_EQ(sentences[i], SentenceOf(run, run.events()[i]));
+    for (const json& field : json::parse(fields[i])) {
+      if (!field.is_array()) continue;
+      EXPECT_LT(field[0].get<std::size_t>(), log["kinds"][run.events()[i].body.index()]["fields"].size());
+    }
+  }
 }
 
 TEST(Report, EverySubjectNamedSomewhereExists) {
-  const json data = Data();
-  const auto check = [&](const json& entry) {
-    if (!entry.contains("subject") || entry["subject"] == "") return;
-    EXPECT_TRUE(data["subjects"].contains(entry["subject"].get<std::string>())) << entry;
-  };
-  for (const json& row : data["story"]) check(row);
-  for (const json& lane : data["lanes"])
-    for (const json& bar : lane) check(bar);
+  const std::string html = Html();
+  const json data = Data(html);
+  const json& ids = data["subjects"]["id"];
+  const std::set<std::string> known(ids.begin(), ids.end());
+  for (const auto& [name, column] : data["subjects"].items()) {
+    if (column.is_array()) {
+      EXPECT_EQ(column.size(), ids.size()) << name;
+    }
+  }
+  for (const char* lane : {"goals", "commands", "predictions", "taught", "analogy"})
+    for (const json& number : data["lanes"][lane]["subject"])
+      EXPECT_LT(number.get<std::size_t>(), ids.size());
   for (const json& band : data["graph"]["bands"])
-    for (const json& card : band["cards"]) check(card);
-  for (const json& event : data["events"]) check(event);
-  for (const json& subject : data["subjects"])
-    for (const char* list : {"why", "led"})
-      for (const json& node : subject[list]["nodes"])
-        EXPECT_TRUE(data["events"].contains(std::to_string(node[0].get<int>())));
+    for (const json& card : band["cards"])
+      EXPECT_TRUE(card["subject"] == "" || known.contains(card["subject"])) << card;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const json detail = DetailOf(html, i);
+    EXPECT_TRUE(detail.contains("note")) << ids[i];
+    for (const char* list : {"requirements", "sub_goals", "commands"})
+      for (const json& id : detail.value(list, json::array()))
+        EXPECT_TRUE(known.contains(id.get<std::string>())) << ids[i] << " " << list << " " << id;
+  }
+}
+
+TEST(Report, TextThatIsTooLongIsCutAndSaysHowLongItIs) {
+  PageFixture fixture;
+  fixture.episode.cylinder = std::string(100'000, 'x');
+  const std::string html = Html(fixture);
+  EXPECT_LT(html.size(), 1'500'000u);
+  const json titles = Data(html)["subjects"]["title"];
+  EXPECT_TRUE(std::any_of(titles.begin(), titles.end(), [](const json& title) {
+    return title.get<std::string>().find("(100000 characters)") != std::string::npos;
+  }));
 }
 
 TEST(Report, SameRunGivesTheSameBytes) {

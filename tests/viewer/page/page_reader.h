@@ -1,0 +1,30 @@
+// Reads back the blocks of a report's page, as its script does.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace aerascope {
+
+// What Gzip packed.
+std::string Gunzip(std::string_view packed);
+
+// The bytes of the block with this id; empty if the page has none.
+std::string BlockOf(const std::string& html, const std::string& id);
+
+// Numbers as ColumnWriter packs them.
+class ColumnReader {
+ public:
+  explicit ColumnReader(std::string bytes) : bytes_(std::move(bytes)) {}
+  std::uint8_t Byte() { return static_cast<std::uint8_t>(bytes_.at(at_++)); }
+  std::uint64_t Unsigned();
+  std::int64_t Signed();
+  bool AtEnd() const { return at_ == bytes_.size(); }
+
+ private:
+  std::string bytes_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace aerascope
