@@ -1,0 +1,58 @@
+// The model graph and what is shown of anything selected.
+"use strict";
+const assert = require("node:assert/strict");
+const { test } = require("node:test");
+const { firstAnalogy, selected, settled, time, useBrowser } = require("./lib/browser.cjs");
+
+const open = useBrowser();
+
+test("no card moves while time does, and what is not known yet says when it will be", async () => {
+  const { page, close } = await open("full", { hash: "#t=0" });
+  const places = () => page.locator(".graph .item").evaluateAll((nodes) => nodes.map((node) => {
+    const shape = node.querySelector("rect, circle");
+    return [shape.getAttribute("x") ?? shape.getAttribute("cx"), shape.getAttribute("y") ?? shape.getAttribute("cy")].join();
+  }));
+  const before = await places();
+  assert.ok(await page.locator(".graph .later .note", { hasText: "learned at 9 s" }).first().isVisible());
+  await page.keyboard.press("End");
+  assert.deepEqual(await places(), before);
+  assert.equal(await page.locator(".graph .later").count(), 0);
+  await close();
+});
+
+test("a clicked model shows what it says, how sure it is and what it is bound to now", async () => {
+  const { page, noise, close } = await open("full", { hash: "#t=8" });
+  const id = await firstAnalogy(page);
+  await page.locator(`.graph .item[data-subject="${id}"]`).first().click();
+  await settled(page);
+  assert.equal(await selected(page), id);
+  const inspector = page.locator("#inspector");
+  assert.match(await inspector.locator(".big").textContent(), /^0\.88sure at 8 s/);
+  assert.match(await inspector.locator(".definition .now").textContent(), /C = s1/);
+  assert.equal(await inspector.locator("tr.missed").first().locator("td").last().textContent(), "pruned");
+  assert.match(await inspector.locator(".verdict").first().textContent(), /3\/4 = 0\.75, accepted/);
+  assert.match(await page.locator("#film .bound .name", { hasText: "s1" }).textContent(), /C = s1/);
+  assert.deepEqual(noise, []);
+  await close();
+});
+
+test("a clicked thing tells what is known of it", async () => {
+  const { page, noise, close } = await open("full", { hash: "#t=8" });
+  await page.locator("#film .object", { hasText: "cyl" }).locator(".area").click();
+  assert.match(await page.locator("#inspector h2").textContent(), /cyl/);
+  assert.match(await page.locator("#inspector table").first().textContent(), /position/);
+  assert.deepEqual(noise, []);
+  await close();
+});
+
+test("why leads back to a seen fact and moves the clock to its frame", async () => {
+  const { page, close } = await open("full", { hash: "#t=8" });
+  const id = await firstAnalogy(page);
+  await page.locator(`.graph .item[data-subject="${id}"]`).first().click();
+  const seen = page.locator("#inspector .tree button", { hasText: "Seen:" }).first();
+  const at = await seen.locator("time").textContent();
+  assert.ok(await seen.locator(".thumb img").count(), "a cause shows the frame it was seen in");
+  await seen.click();
+  assert.equal(Number.parseFloat(await time(page)), Number.parseFloat(at));
+  await close();
+});

@@ -1,0 +1,17 @@
+// The reports that the tests open. ./run makes them and says in REPORTS where they lie.
+"use strict";
+const fs = require("node:fs");
+const path = require("node:path");
+
+const folder = process.env.REPORTS;
+
+// Of episodes written down by hand (tests/viewer/page/make_reports.cpp).
+const fixtures = ["full", "no_frames", "cut_short", "slipped", "hostile"];
+// Of every shipped scenario, run and reported by the program: what lies in the subfolder "scenarios".
+const scenarios = fs.readdirSync(path.join(folder, "scenarios"))
+  .filter((name) => name.endsWith(".html")).map((name) => "scenarios/" + name.slice(0, -5)).sort();
+const demo = "scenarios/pick_and_place";
+
+const fileOf = (name) => path.join(folder, name + ".html");
+
+module.exports = { demo, fileOf, fixtures, folder, scenarios };
