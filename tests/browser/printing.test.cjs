@@ -17,8 +17,8 @@ test("a print leaves nothing cut", async () => {
       if (node instanceof SVGElement || !node.checkVisibility()) continue;
       const style = getComputedStyle(node);
       const hides = (overflow) => overflow !== "visible";
-      // A picture may be shown in part, and a word shortened with an ellipsis.
-      if (style.textOverflow === "ellipsis" || node.firstElementChild?.matches("img:only-child") || node.closest("[hidden], dialog:not([open])")) continue;
+      // A picture may be shown in part, a word shortened with an ellipsis, and words for screen readers take no room.
+      if (style.textOverflow === "ellipsis" || node.clientWidth <= 1 || node.firstElementChild?.matches("img:only-child") || node.closest("[hidden], dialog:not([open])")) continue;
       const wide = hides(style.overflowX) && node.scrollWidth > node.clientWidth + 1 && node.clientWidth > 0;
       const high = hides(style.overflowY) && node.scrollHeight > node.clientHeight + 1 && node.clientHeight > 0;
       if (wide || high) found.push(`${node.outerHTML.slice(0, 80)} ${node.scrollWidth}x${node.scrollHeight} in ${node.clientWidth}x${node.clientHeight}`);
