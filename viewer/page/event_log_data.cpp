@@ -38,15 +38,15 @@ bool IsWorthALine(const Event& event) {
 
 class LogAuthor {
  public:
-  LogAuthor(const ReportContext& context, const SubjectTable& subjects, PageBlocks* blocks)
-      : context_(context), run_(context.run), subjects_(subjects), blocks_(blocks) {}
+  LogAuthor(const ReportContext& context, const SubjectTable& subjects, PageBlocks* first, PageBlocks* later)
+      : context_(context), run_(context.run), subjects_(subjects), first_(first), later_(later) {}
 
   Result<json> Write() {
     WriteColumns();
     WriteCauses();
-    if (Status written = blocks_->AddPacked("events", "log", kBytes, columns_.bytes()); !written)
+    if (Status written = first_->AddPacked("events", "log", kBytes, columns_.bytes()); !written)
       return written.error();
-    if (Status written = blocks_->AddPacked("events", "log-causes", kBytes, causes_.bytes()); !written)
+    if (Status written = first_->AddPacked("events", "log-causes", kBytes, causes_.bytes()); !written)
       return written.error();
     if (Status written = WriteChunks(); !written) return written.error();
     return json{{"count", run_.events().size()},
@@ -139,10 +139,10 @@ class LogAuthor {
         // Text of an episode is any bytes; what is not UTF-8 is replaced rather than refused.
         fields += values.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
       }
-      if (Status written = blocks_->AddPacked("events", "text-" + std::to_string(n), "text/plain", sentences);
+      if (Status written = later_->AddPacked("events", "text-" + std::to_string(n), "text/plain", sentences);
           !written)
         return written;
-      if (Status written = blocks_->AddPacked("events", "fields-" + std::to_string(n), "text/plain", fields);
+      if (Status written = later_->AddPacked("events", "fields-" + std::to_string(n), "text/plain", fields);
           !written)
         return written;
     }
@@ -152,7 +152,8 @@ class LogAuthor {
   const ReportContext& context_;
   const Run& run_;
   const SubjectTable& subjects_;
-  PageBlocks* blocks_;
+  PageBlocks* first_;
+  PageBlocks* later_;
   ColumnWriter columns_;
   ColumnWriter causes_;
   std::vector<std::string> marks_;
@@ -193,8 +194,9 @@ StoryChapter ChapterOf(const ReportContext& context, const SubjectTable& subject
                     event.body);
 }
 
-Result<json> AddEventLog(const ReportContext& context, const SubjectTable& subjects, PageBlocks* blocks) {
-  return LogAuthor(context, subjects, blocks).Write();
+Result<json> AddEventLog(const ReportContext& context, const SubjectTable& subjects, PageBlocks* first,
+                         PageBlocks* later) {
+  return LogAuthor(context, subjects, first, later).Write();
 }
 
 }  // namespace aerascope

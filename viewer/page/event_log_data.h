@@ -34,8 +34,9 @@ enum class StoryChapter { kNone, kGoal, kCommand, kPrediction, kLearned, kAnalog
 
 StoryChapter ChapterOf(const ReportContext& context, const SubjectTable& subjects, const Event& event);
 
-// Adds the blocks and gives the description that the page needs to read them.
+// Adds `log` and `log-causes` to the first blocks and the others to the later ones, and gives the description
+// that the page needs to read them.
 Result<nlohmann::json> AddEventLog(const ReportContext& context, const SubjectTable& subjects,
-                                   PageBlocks* blocks);
+                                   PageBlocks* first, PageBlocks* later);
 
 }  // namespace aerascope

@@ -17,7 +17,11 @@ function showHeader(app, story) {
 function viewTabs(app) {
   const tabs = [...document.querySelectorAll("[role='tab']")];
   for (const tab of tabs) {
-    tab.addEventListener("click", () => app.setView(tab.dataset.view));
+    tab.addEventListener("click", (event) => {
+      app.setView(tab.dataset.view);
+      // After a click with the mouse the arrows step through time again.
+      if (event.detail > 0) tab.blur();
+    });
     tab.addEventListener("keydown", (event) => {
       const by = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
       if (!by) return;

@@ -15,9 +15,14 @@ async function unpackedBytes(block) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// The bytes and the text of a block by its id; a page without it says so.
+// The bytes and the text of a block by its id; a page without it says so. The script begins before the whole page is
+// read, so a block may be still to come.
 async function blockBytes(id) {
-  const block = document.getElementById(id);
+  let block = document.getElementById(id);
+  if (!block && document.readyState === "loading") {
+    await new Promise((resume) => { document.addEventListener("DOMContentLoaded", resume, { once: true }); });
+    block = document.getElementById(id);
+  }
   if (!block) throw new Error("the part " + id + " of the report is missing");
   return unpackedBytes(block);
 }
@@ -28,7 +33,7 @@ const blockAddresses = new Map();
 function blockAddress(id) {
   if (!blockAddresses.has(id)) {
     blockAddresses.set(id, blockBytes(id).then((bytes) =>
-      URL.createObjectURL(new Blob([bytes], { type: $(id).dataset.type }))));
+      URL.createObjectURL(new Blob([bytes], { type: $(id).dataset.type || "" }))));
   }
   return blockAddresses.get(id);
 }

@@ -59,21 +59,28 @@ std::string Megabytes(std::size_t bytes) {
 }  // namespace
 
 Result<Report> BuildReport(const Run& run, const ReportFrames& frames, const ReportOptions& options) {
-  PageBlocks images, data;
+  ReportBlocks data;
+  PageBlocks images;
   const std::vector<std::string> names = AddImages(frames, &images);
   if (Status added = AddReportData(run, frames, names, options, &data); !added) return added.error();
   const std::string title = EscapeMarkup(ReportTitle(run));
   const std::string policy = ContentPolicy();
-  // What is needed first stands first.
-  const std::string blocks = data.html() + images.html();
+  // What the page needs to open stands before its script, which does not wait for the rest.
+  const std::string& first = data.first.html();
+  const std::string rest = data.later.html() + images.html();
 
   Report report;
-  report.html = Filled(
-      kPage,
-      {{"policy", policy}, {"title", title}, {"style", kStyle}, {"script", kScript}, {"data", blocks}});
-  report.parts.push_back({"page", report.html.size() - blocks.size()});
-  for (const PageBlocks* part : {&data, &images})
-    for (const auto& [name, bytes] : part->parts()) report.parts.push_back({name, bytes});
+  report.html = Filled(kPage, {{"policy", policy},
+                               {"title", title},
+                               {"style", kStyle},
+                               {"script", kScript},
+                               {"first", first},
+                               {"rest", rest}});
+  report.parts.push_back({"page", report.html.size() - first.size() - rest.size()});
+  std::map<std::string, std::size_t> parts;
+  for (const PageBlocks* blocks : {&data.first, &data.later, &images})
+    for (const auto& [name, bytes] : blocks->parts()) parts[name] += bytes;
+  for (const auto& [name, bytes] : parts) report.parts.push_back({name, bytes});
   if (report.html.size() > kLargeReport) {
     const auto largest =
         std::max_element(report.parts.begin(), report.parts.end(),

@@ -374,17 +374,17 @@ class ReportAuthor {
 }  // namespace
 
 Status AddReportData(const Run& run, const ReportFrames& frames, const std::vector<std::string>& images,
-                     const ReportOptions& options, PageBlocks* blocks) {
+                     const ReportOptions& options, ReportBlocks* blocks) {
   const ReportContext context(run);
   const SubjectTable subjects(context);
-  auto log = AddEventLog(context, subjects, blocks);
+  auto log = AddEventLog(context, subjects, &blocks->first, &blocks->later);
   if (!log) return log.error();
-  if (Status added = AddSubjectDetails(context, subjects, blocks); !added) return added;
+  if (Status added = AddSubjectDetails(context, subjects, &blocks->first); !added) return added;
   // Text of an episode is any bytes; what is not UTF-8 is replaced rather than refused.
-  return blocks->AddPacked("overview", "report-data", "application/json",
-                           ReportAuthor(context, subjects, frames, images, options)
-                               .Write(std::move(*log))
-                               .dump(-1, ' ', false, json::error_handler_t::replace));
+  return blocks->first.AddPacked("overview", "report-data", "application/json",
+                                 ReportAuthor(context, subjects, frames, images, options)
+                                     .Write(std::move(*log))
+                                     .dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 std::string ReportTitle(const Run& run) {
