@@ -545,6 +545,8 @@ Result<EpisodeFile> ReadEpisode(const std::string& path) {
   }
   episode.complete = stored->digest && !episode.events.empty() &&
                      std::holds_alternative<EpisodeEnded>(episode.events.back().body);
+  episode.older = file.older();
+  if (episode.older) episode.stored_digest.reset();
   return episode;
 }
 

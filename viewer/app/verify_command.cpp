@@ -66,8 +66,11 @@ int Verify(const std::string& path) {
                   "digest of the events " + ToText(digest.Value()) +
                       (digest.Value() == *episode->stored_digest ? ", as stored" : ", but stored is " + ToText(*episode->stored_digest)));
   }
+  if (episode->older) {
+    std::puts("note  written by an earlier aerascope: it lacks what was added since, so digests cannot be compared");
+  }
   CheckCauses(*episode, &checks);
-  if (episode->complete) {
+  if (episode->complete && !episode->older) {
     auto replayed = ReplayDigest(*episode);
     if (!replayed) {
       checks.Report(false, "replay: " + replayed.error().message);

@@ -15,7 +15,7 @@ function eventRow(app, event, { note = "", picture = true } = {}) {
   const button = el("button", { type: "button", class: (failed ? "fail" : "") + (app.log.imagined(event) ? " imagined" : ""),
     on: { click: () => app.open(event) } });
   const words = el("span", { class: "what" }, mark(failed ? "cross" : app.log.mark(event), failed ? "fail" : ""),
-    eventSentence(app, event), note ? el("span", { class: "quiet", text: note }) : "");
+    el("span", {}, eventSentence(app, event), note ? el("span", { class: "quiet", text: note }) : ""));
   const at = app.log.time(event);
   button.dataset.event = event;
   button.append(words, el("time", { text: secondsText(at) }));

@@ -30,7 +30,7 @@ function overviewPane(app) {
     const tried = log.sure.start[number + 1] - log.sure.start[number] - 1;
     const sure = !last ? "" : last.deleted ? "given up at " + secondsText(last.at) : last.phasedOut ? "phased out" : sureText(last.sure);
     return el("tr", { class: last && last.deleted ? "gone" : "" },
-      el("td", {}, el("button", { type: "button", class: "link plain", on: { click: () => { app.select(subject.id); app.go(subject.born); } } }, mark(subject.mark), capitalised(subject.title))),
+      el("td", {}, el("button", { type: "button", class: "link plain", on: { click: () => { app.select(subject.id); app.go(subject.born); } } }, mark(subject.mark), capitalised(subject.title), " ", el("span", { class: "id", text: subject.id }))),
       el("td", { text: secondsText(subject.born) }), el("td", { text: tried > 0 ? String(tried) : "" }), el("td", {}, el("b", { text: sure })));
   }
 
@@ -51,6 +51,13 @@ function overviewPane(app) {
     return out.sort((a, b) => a.kind - b.kind || a.event - b.event).map((one) => one.event);
   }
 
+  // What an id in the sentence is about.
+  function about(event) {
+    if (log.kind(event).name !== "ModelStateChanged") return "";
+    const [number] = log.subjectsOf(event);
+    return number === undefined ? "" : " (" + app.report.subjects.title[number] + ")";
+  }
+
   const learned = pieces.filter(([, own]) => own);
   const wrong = troubles();
   const reached = drives.filter((drive) => drive.outcome === 1).length;
@@ -60,7 +67,7 @@ function overviewPane(app) {
     el("ol", { class: "drives" + (wide ? "" : " plain") }, ...drives.slice(0, 24).map(driveCard)),
     drives.length > 24 ? el("p", { class: "quiet", text: `and ${drives.length - 24} more, in the lane of goals` }) : "",
     heading("What went wrong?", wrong.length ? `${wrong.length} ${wrong.length === 1 ? "event" : "events"}` : ""),
-    wrong.length ? el("div", { class: "tree" }, ...shownWrong.map((event) => el("div", { class: "line" }, eventRow(app, event))))
+    wrong.length ? el("div", { class: "tree" }, ...shownWrong.map((event) => el("div", { class: "line" }, eventRow(app, event, { note: about(event) }))))
       : el("p", { class: "quiet", text: "Nothing: no goal was missed, no prediction failed, no command was refused." }),
     wrong.length > shownWrong.length ? el("p", { class: "quiet", text: `and ${wrong.length - shownWrong.length} more` }) : "",
     heading("What was learned?", `${learned.length} ${learned.length === 1 ? "piece" : "pieces"} of knowledge`),
