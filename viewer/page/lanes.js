@@ -357,6 +357,12 @@ function lanesPane(app) {
     draw();
     pane.showTime(app.t);
   }).observe(box);
+  // On paper the whole time has to fit.
+  matchMedia("print").addEventListener("change", (event) => {
+    zoom = event.matches ? 0 : 1;
+    draw();
+    pane.showTime(app.t);
+  });
   const pane = {
     showTime(t) {
       const x = X(t);

@@ -1,7 +1,7 @@
 // ---- reasoning.js: what the agent thought in the frame at the cursor: forward, from what was seen to what it
 // expected; backward, from what was wanted to the plans it tried in the head, the chosen one and the others.
 
-const LOOKED_AT = 400;   // goals of one frame that are drawn as a tree
+const LOOKED_AT = 200;   // goals of one frame that are drawn as a tree
 
 function reasoningPane(app) {
   const { log } = app;
@@ -150,13 +150,19 @@ function reasoningPane(app) {
     pane.bringSelected = false;
   }
 
+  let waiting = 0, changed = -Infinity;
   const title = $("reasoning-title");
   const pane = {
     bringSelected: false,
     showTime(t) {
       if (app.view !== "reasoning" || !log.causesOf) return;
       title.textContent = "What it thought at " + clockText(t);
-      if (app.frame !== drawn) draw(app.frame);
+      if (app.frame === drawn) return;
+      // While time runs or is dragged, a frame is drawn only if it stays.
+      clearTimeout(waiting);
+      const now = performance.now();
+      if (now - changed > 150) draw(app.frame); else waiting = setTimeout(() => { if (app.frame !== drawn) draw(app.frame); }, 90);
+      changed = now;
     },
     showView(view) { if (view === "reasoning") { pane.bringSelected = true; pane.showTime(app.t); markSelected(); } },
     showSelection() { if (app.view === "reasoning") { pane.bringSelected = true; pane.showTime(app.t); markSelected(); } },
