@@ -247,7 +247,7 @@ class Normaliser {
       model.id = {id};
       model.variable_names = renumbering.NamesFrom(old.model.variable_names);
       placed.places = renumbering.Places(ExposedVariables(old.model), ExposedVariables(model));
-      result_.models.push_back({old.label, std::move(model), old.evidence, old.strong});
+      result_.models.push_back({old.label, std::move(model), old.evidence, old.strong, old.state});
     }
     placed_.emplace(key, std::move(placed));
   }
@@ -342,7 +342,8 @@ SeedKnowledge SeedFrom(const KnowledgeBase& knowledge) {
   const std::set<ModelId> alive = AliveModels(knowledge);
   for (const auto& [id, record] : knowledge.models()) {
     if (!alive.contains(id)) continue;
-    seed.models.push_back({"mdl_" + std::to_string(id.value), record.model, record.evidence, record.strong});
+    seed.models.push_back(
+        {"mdl_" + std::to_string(id.value), record.model, record.evidence, record.strong, record.state});
   }
   return seed;
 }

@@ -519,7 +519,7 @@ class SeedReader {
     if (object.text == "ent" || object.text == "ont") return ReadSymbol(object);
     if (object.text == "fact" || object.text == "|fact") return ReadFact(object);
     if (object.text == "cst") return ReadCompositeState(object);
-    if (object.text == "mdl") return ReadModel(object);
+    if (object.text == "mdl") return ReadModel(object, statement.views);
     if (object.text == "mk.val" || object.text == "cmd" || object.text == "icst" || object.text == "imdl") {
       return ReadNamedPayload(object);
     }
@@ -714,7 +714,17 @@ class SeedReader {
     return Ok();
   }
 
-  Status ReadModel(const SyntaxNode& object) {
+  // Phased out is a model whose activation in the primary group is 0: a view [sync time salience resilience
+  // primary origin 0] (semantics 1.4, 3.5). All else that views say is read over.
+  static bool IsPhasedOut(const SyntaxNode& views) {
+    return std::any_of(views.items.begin(), views.items.end(), [](const SyntaxNode& view) {
+      return view.kind == Kind::kList && view.items.size() == 7 && view.items[4].kind == Kind::kName &&
+             view.items[4].text == kPrimaryGroup && view.items[6].kind == Kind::kNumber &&
+             view.items[6].number == 0;
+    });
+  }
+
+  Status ReadModel(const SyntaxNode& object, const SyntaxNode& views) {
     if (object.label.empty()) return At(object, "expected a label in front of (mdl ...), found none");
     Scope scope;
     SeedModel read{object.label, {}, {}, false};
@@ -749,6 +759,7 @@ class SeedReader {
     model.backward = std::move(*backward);
     if (Status status = ReadTail(object, 4, 5); !status) return status;
     if (Status status = ReadEvidence(object, &read); !status) return status;
+    if (IsPhasedOut(views)) read.state = ModelState::kPhasedOut;
     model.variable_names = scope.names();
     model.id = {NextNumber()};
     Declare(object, Declared::Kind::kModel, {}, seed_.models.size());

@@ -35,6 +35,7 @@ struct SeedModel {
   Model model;
   Evidence evidence;
   bool strong = false;
+  ModelState state = ModelState::kActive;  // active or phased out
 };
 
 struct SeedKnowledge {

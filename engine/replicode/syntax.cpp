@@ -536,6 +536,7 @@ Result<std::optional<SyntaxStatement>> SyntaxReader::NextStatement() {
   if (next_.kind == Token::Kind::kListOpen || next_.kind == Token::Kind::kEmptyList) {
     Result<SyntaxNode> views = ReadList(1);
     if (!views) return views.error();
+    statement.views = std::move(*views);
   }
   return std::optional(std::move(statement));
 }

@@ -54,9 +54,10 @@ struct SyntaxNode {
 // How a node is called in messages: "the number 5", "a list", "(cmd ...)".
 std::string Described(const SyntaxNode& node);
 
-// One object at top level. Views say where OpenAERA would put it; they are read over.
+// One object at top level.
 struct SyntaxStatement {
   SyntaxNode object;  // a group, or of a directive other than !def its name
+  SyntaxNode views;   // a list, empty if there are none: where OpenAERA would put it
   bool directive = false;
 };
 

@@ -17,6 +17,10 @@ inline constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kA
 inline constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kTestWords{
     {{"=", "equ"}, {"<>", "neq"}, {"<", "lsr"}, {">", "gtr"}, {"<=", "lse"}, {">=", "gte"}}};
 
+// The groups of OpenAERA in whose views models have their activation.
+inline constexpr std::string_view kPrimaryGroup = "primary";
+inline constexpr std::string_view kSecondaryGroup = "secondary";
+
 // Values with a name of their own; not free for entities and labels.
 inline constexpr std::array<std::string_view, 8> kConstantWords{
     "nil", "true", "false", "forever", "GIGASEC", "MAX_TIME", "sampling_period", "now"};

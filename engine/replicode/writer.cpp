@@ -289,6 +289,16 @@ class SeedWriter {
     return text + "|[]\n[stdin] 1) |[]\n";
   }
 
+  // A phased-out model is without activation in the primary group and has its success rate in the secondary
+  // one.
+  static std::string Views(const SeedModel& item) {
+    if (item.state == ModelState::kActive) return "|[]";
+    const auto view = [](std::string_view group, const std::string& activation) {
+      return "[SYNC_ONCE now 1 forever " + std::string(group) + " nil " + activation + "]";
+    };
+    return "[" + view(kPrimaryGroup, "0") + " " + view(kSecondaryGroup, RateText(item.evidence)) + "]";
+  }
+
   std::string ModelText(const SeedModel& item) {
     const Model& model = item.model;
     NameVariables(model.variable_names);
@@ -298,7 +308,7 @@ class SeedWriter {
     text += writer_.Guards(model.forward);  // one by one: a variable has its colon where it is met first
     text += writer_.Guards(model.backward);
     return text + "[stdin] " + (item.strong ? "1 " : "0 ") + writer_.Number(item.evidence.total) + " " +
-           RateText(item.evidence) + " 1 1) |[]\n";
+           RateText(item.evidence) + " 1 1) " + Views(item) + "\n";
   }
 
   std::string FactText(const SeedFact& item) {

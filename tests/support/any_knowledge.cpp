@@ -255,6 +255,7 @@ class Maker {
     const int total = 1 + Below(50);
     const double positive = RoundNumber(Chance() ? Below(total + 1) : total * (random_() % 1000 / 999.0));
     seed_.models.push_back({Label(), std::move(model), {positive, static_cast<double>(total)}, Chance()});
+    if (Below(5) == 0) seed_.models.back().state = ModelState::kPhasedOut;
   }
 
   FactPattern Side(Term payload, int after, int before) {

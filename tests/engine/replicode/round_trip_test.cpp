@@ -39,6 +39,7 @@ KnowledgeBase BaseOf(const SeedKnowledge& seed) {
     record.model = item.model;
     record.evidence = item.evidence;
     record.strong = item.strong;
+    record.state = item.state;
     knowledge.AddModel(std::move(record));
   }
   return knowledge;
@@ -52,6 +53,7 @@ std::vector<std::string> Content(const SeedKnowledge& seed) {
     lines.push_back("cst " + ToText(record.canonical.hash));
   for (const auto& [id, record] : knowledge.models()) {
     lines.push_back("mdl " + ToText(record.canonical.hash) + (record.strong ? " strong " : " ") +
+                    std::string(record.state == ModelState::kActive ? "" : "phased out ") +
                     std::to_string(record.evidence.total) + " " + std::to_string(record.evidence.rate()));
   }
   std::sort(lines.begin(), lines.end());
@@ -107,6 +109,7 @@ Said WhatIsSaid(const SeedKnowledge& seed) {
     model.variable_names.clear();
     said.definitions.push_back(placed(DefinitionToTerm(model)));
     std::string standing = item.strong ? "strong " : "weak ";
+    standing += item.state == ModelState::kActive ? "active " : "phased out ";
     AppendExactNumber(item.evidence.positive, &standing);
     standing += " of ";
     AppendExactNumber(item.evidence.total, &standing);
@@ -310,6 +313,33 @@ TEST(RoundTrip, DeletedModelsAndWhatSpeaksAboutThemAreLeftOut) {
   EXPECT_EQ(SeedFrom(knowledge).models.size(), 2u);
   knowledge.SetState(model.id, ModelState::kDeleted);
   EXPECT_EQ(SeedFrom(knowledge).models.size(), 0u);
+}
+
+TEST(RoundTrip, APhasedOutModelStaysSo) {
+  // own. Given two equal models but for the effect, one phased out, then it is so after writing and reading,
+  // and the other is not; what views say otherwise changes nothing.
+  SeedKnowledge seed;
+  seed.symbols = {kHand, kPosition, kMove};
+  Model model;
+  model.lhs = {true, MakeCommand(kMove, {V(0)}), V(1), V(2)};
+  for (int i = 1; i <= 2; ++i) {
+    model.id = {i};
+    model.rhs = {true, MakeValue(V(0), kPosition, Term::Number(i)), V(3), V(4)};
+    seed.models.push_back({i == 1 ? "a" : "b", model, {1, 3}, true});
+  }
+  seed.models[1].state = ModelState::kPhasedOut;
+  const Result<std::string> text = WriteReplicode(seed);
+  ASSERT_TRUE(text) << text.error().message;
+  EXPECT_THAT(
+      *text, testing::HasSubstr("[[SYNC_ONCE now 1 forever primary nil 0] [SYNC_ONCE now 1 forever secondary "
+                                "nil 0.3333333333]]"));
+  const Result<SeedKnowledge> read = ReadReplicode(*text, "seed.replicode");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->models[0].state, ModelState::kActive);
+  EXPECT_EQ(read->models[1].state, ModelState::kPhasedOut);
+  std::string active = *text;
+  active.replace(active.find("primary nil 0]"), 14, "primary nil 1]");
+  EXPECT_EQ(ReadReplicode(active, "seed.replicode")->models[1].state, ModelState::kActive);
 }
 
 TEST(RoundTrip, WhatHasNoFormInReplicodeIsRefused) {
