@@ -22,7 +22,11 @@ std::vector<Parameter> ParametersOf(const ReasonerParameters& p, const EventKind
           {"mdl_inertia_cnt_thr", std::to_string(p.mdl_inertia_cnt_thr)},
           {"primary_act_thr", FormatNumber(p.primary_act_thr)},
           {"secondary_act_thr", FormatNumber(p.secondary_act_thr)},
+          {"primary_thz", ToText(p.primary_thz)},
+          {"secondary_thz", ToText(p.secondary_thz)},
           {"tpx_time_horizon_frames", std::to_string(p.tpx_time_horizon_frames)},
+          {"goal_induction", std::string(ToText(p.goal_induction))},
+          {"max_prediction_chain", std::to_string(p.max_prediction_chain)},
           {"max_plan_depth", std::to_string(p.max_plan_depth)},
           {"max_simulation_nodes", std::to_string(p.max_simulation_nodes)},
           {"goal_offset", ToText(p.goal_offset)},
@@ -90,7 +94,7 @@ class EpisodeLoop {
     for (const SeedCompositeState& state : scenario_.seed.composite_states) states.push_back(state.state);
     std::vector<SeedModelDefinition> models;
     for (const SeedModel& model : scenario_.seed.models)
-      models.push_back({model.model, model.evidence, model.strong});
+      models.push_back({model.model, model.evidence, model.strong, model.state});
     reasoner_.LoadSeed(scenario_.seed.symbols, properties, states, models);
   }
 

@@ -144,7 +144,11 @@ class ScenarioReader {
     };
     p.analogy_mode = table.Choice("analogy_mode", {"paper", "openaera"}, 0) == 1u ? AnalogyMode::kOpenaera
                                                                                   : AnalogyMode::kPaper;
-    if (p.analogy_mode == AnalogyMode::kOpenaera) p.analogy_min_matched = 3;
+    const bool openaera = p.analogy_mode == AnalogyMode::kOpenaera;
+    if (openaera) p.analogy_min_matched = 3;
+    p.goal_induction = table.Choice("goal_induction", {"all", "side_effects"}, openaera ? 1 : 0) == 1u
+                           ? GoalInduction::kSideEffects
+                           : GoalInduction::kAll;
     p.analogy_min_matched =
         static_cast<int>(table.Integer("analogy_min_matched", p.analogy_min_matched, 1, 1000));
     p.analogy_min_psi = table.Number("analogy_min_psi", p.analogy_min_psi, 0, 1);
@@ -155,6 +159,13 @@ class ScenarioReader {
     p.secondary_act_thr = table.Number("secondary_act_thr", p.secondary_act_thr, 0, 1);
     p.tpx_time_horizon_frames =
         static_cast<int>(table.Integer("tpx_time_horizon_frames", p.tpx_time_horizon_frames, 1, 1000));
+    const auto horizon = [&](std::string_view key, Duration fallback) {
+      return Milliseconds(table.Integer(key, fallback.us / 1000, 1, 1'000'000'000'000));
+    };
+    p.primary_thz = horizon("primary_thz_ms", p.primary_thz);
+    p.secondary_thz = horizon("secondary_thz_ms", p.secondary_thz);
+    p.max_prediction_chain =
+        static_cast<int>(table.Integer("max_prediction_chain", p.max_prediction_chain, 0, 100));
     p.max_plan_depth = static_cast<int>(table.Integer("max_plan_depth", p.max_plan_depth, 1, 100));
     p.max_simulation_nodes =
         static_cast<int>(table.Integer("max_simulation_nodes", p.max_simulation_nodes, 1, 100'000'000));

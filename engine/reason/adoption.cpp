@@ -48,6 +48,7 @@ EventId Adoption::Report(const SituationFact& input, CauseVerdict verdict, std::
 
 void Adoption::Reject(const SituationFact& input, CauseVerdict reason, Model candidate, ModelId same_as) {
   const EventId considered = Report(input, reason);
+  if (reason == CauseVerdict::kBlackListed) journal_.ComeUpAgain(same_as);
   if (!candidate.id.valid()) candidate.id = journal_.NewId<ModelId>();
   const ModelRecord* same = knowledge().Find(same_as);
   journal_.Write(now_, ModelRejected{kind_, std::move(candidate), reason, same_as},

@@ -7,6 +7,14 @@
 // Firing: what a model does at the end of a plan, once it is allowed to (semantics 4.4).
 
 namespace aerascope {
+namespace {
+
+// Does it say with some weight that the model is right or wrong in the frame?
+bool SpeaksAbout(const Requirement& said, ModelId model, const TimeInterval& frame) {
+  return said.target == model && said.imdl.confidence > 0 && said.imdl.interval.Overlaps(frame);
+}
+
+}  // namespace
 
 std::vector<BackwardChainer::Firing> BackwardChainer::Fire(const ModelRecord& record, const Way& way,
                                                            const Quest& quest, const Fact* wanted) {
@@ -215,7 +223,7 @@ std::optional<BackwardChainer::Firing> BackwardChainer::Finish(const ModelRecord
 EventId BackwardChainer::VetoOn(const Model& model, const Bindings& bindings, const Way& way) const {
   way.plan.end->AskRequirements(knowledge_, model.id);
   for (const Requirement& requirement : way.plan.end->situation().requirements()) {
-    if (requirement.target != model.id || requirement.imdl.positive) continue;
+    if (requirement.imdl.positive || !SpeaksAbout(requirement, model.id, way.plan.end->interval())) continue;
     Bindings trial = bindings;
     if (!BindInstance(model, requirement.imdl.payload, trial)) continue;
     if (!way.required || way.confidence <= requirement.imdl.confidence) return EventOf(requirement);
@@ -229,7 +237,7 @@ EventId BackwardChainer::VetoOnInstance(const Model& model, const Bindings& bind
   Bindings timeless = bindings;
   for (const int variable : TimeVariables(model)) timeless.Clear(variable);
   for (const Requirement& requirement : at->situation().requirements()) {
-    if (requirement.target != model.id || requirement.imdl.positive) continue;
+    if (requirement.imdl.positive || !SpeaksAbout(requirement, model.id, at->interval())) continue;
     Bindings trial = timeless;
     if (BindInstance(model, requirement.imdl.payload, trial)) return EventOf(requirement);
   }
@@ -248,7 +256,7 @@ bool BackwardChainer::StillAllowed(const Model& model, const Way& way) const {
   return std::any_of(requirements.begin(), requirements.end(), [&](const Requirement& requirement) {
     Bindings trial = way.bindings;
     for (const int variable : TimeVariables(model)) trial.Clear(variable);
-    return requirement.target == model.id && requirement.imdl.positive &&
+    return requirement.imdl.positive && SpeaksAbout(requirement, model.id, way.plan.end->interval()) &&
            BindInstance(model, requirement.imdl.payload, trial);
   });
 }

@@ -1,7 +1,9 @@
 #include "engine/reason/chaining.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace aerascope {
@@ -149,17 +151,31 @@ std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation*
   return added;
 }
 
+namespace {
+
+// How many requirement models stand between this one and the model that it is about in the end. A model
+// refers only to models with smaller numbers.
+int LevelOf(const Model& requirement, const KnowledgeBase& knowledge) {
+  int level = 0;
+  const ModelRecord* target = knowledge.Find(TargetModel(requirement));
+  for (; target && IsRequirement(target->model); ++level) target = knowledge.Find(TargetModel(target->model));
+  return level;
+}
+
+}  // namespace
+
 std::vector<ModelId> RequirementModelsFor(const KnowledgeBase& knowledge, const Situation& situation) {
-  std::set<std::pair<bool, ModelId>> found;  // weak ones last
+  std::set<std::tuple<int, bool, ModelId>> found;  // those about requirement models first, weak ones last
   for (const SituationFact& fact : situation.facts()) {
     for (const ModelId id : knowledge.ModelsByLhs(fact.fact.payload)) {
       const Model& model = knowledge.Find(id)->model;
-      if (IsRequirement(model)) found.emplace(KindOf(model) == ModelKind::kWeakRequirement, id);
+      if (!IsRequirement(model)) continue;
+      found.emplace(-LevelOf(model, knowledge), KindOf(model) == ModelKind::kWeakRequirement, id);
     }
   }
   std::vector<ModelId> models;
   models.reserve(found.size());
-  for (const auto& [weak, id] : found) models.push_back(id);
+  for (const auto& [level, weak, id] : found) models.push_back(id);
   return models;
 }
 
@@ -199,11 +215,39 @@ namespace {
 struct Allowed {
   Bindings bindings;
   std::size_t requirement;
-  double confidence;  // 0: of a requirement model that is phased out
+  double confidence;  // 0: of a requirement model that is phased out, or not allowed to speak
 };
 
-ChainingDecision Decide(const ModelRecord& record, const Situation& situation, bool has_weak,
-                        const std::vector<Allowed>& allowed, const std::vector<std::size_t>& negative) {
+// What the requirement models on a model say about the instance that `from_input` begins.
+struct Words {
+  bool has_weak = false;  // there is one that could allow it
+  std::vector<Allowed> allowed;
+  std::vector<std::size_t> negative;
+};
+
+Words WordsOn(const Model& model, const KnowledgeBase& knowledge, const Situation& situation,
+              const Bindings& from_input) {
+  Words words;
+  for (const ModelId id : knowledge.RequirementsOf(model.id)) {
+    const ModelRecord* requirement = knowledge.Find(id);
+    words.has_weak = words.has_weak || (requirement && requirement->model.rhs.positive);
+  }
+  for (const std::size_t i : situation.RequirementsOn(model.id)) {
+    const Requirement& requirement = situation.requirements()[i];
+    if (!requirement.imdl.interval.Overlaps(situation.interval())) continue;
+    Bindings bindings = from_input;
+    if (!BindInstance(model, requirement.imdl.payload, bindings)) continue;
+    if (requirement.imdl.positive) {
+      words.allowed.push_back({std::move(bindings), i, requirement.imdl.confidence});
+    } else {
+      words.negative.push_back(i);
+    }
+  }
+  return words;
+}
+
+ChainingDecision Decide(const ModelRecord& record, const Situation& situation, const Words& words) {
+  const auto& [has_weak, allowed, negative] = words;
   ChainingDecision decision;
   const Allowed* surest = nullptr;
   for (const Allowed& way : allowed) {
@@ -249,25 +293,9 @@ std::vector<Firing> Fire(const ModelRecord& record, const KnowledgeBase& knowled
   Bindings from_input;
   if (!MatchFact(model.lhs, input, from_input)) return firings;
 
-  bool has_weak = false;
-  for (const ModelId id : knowledge.RequirementsOf(model.id)) {
-    const ModelRecord* requirement = knowledge.Find(id);
-    has_weak = has_weak || (requirement && requirement->model.rhs.positive);
-  }
-  std::vector<Allowed> allowed;
-  std::vector<std::size_t> negative;
-  for (const std::size_t i : situation.RequirementsOn(model.id)) {
-    const Requirement& requirement = situation.requirements()[i];
-    if (!requirement.imdl.interval.Overlaps(situation.interval())) continue;
-    Bindings bindings = from_input;
-    if (!BindInstance(model, requirement.imdl.payload, bindings)) continue;
-    if (requirement.imdl.positive) {
-      allowed.push_back({std::move(bindings), i, requirement.imdl.confidence});
-    } else {
-      negative.push_back(i);
-    }
-  }
-  if (decision) *decision = Decide(record, situation, has_weak, allowed, negative);
+  Words words = WordsOn(model, knowledge, situation, from_input);
+  if (decision) *decision = Decide(record, situation, words);
+  auto& [has_weak, allowed, negative] = words;
   // Without a requirement's word a model fires if it needs none, and else predicts silently; it can do
   // neither if it lacks values that only a requirement model gives.
   if (allowed.empty() && model.template_arguments.empty()) {
@@ -319,6 +347,78 @@ std::vector<Firing> Fire(const ModelRecord& record, const KnowledgeBase& knowled
     if (way.requirement != Situation::npos) firing_in_list->requirements.push_back(way.requirement);
   }
   return firings;
+}
+
+std::vector<Requirement> StatementsOf(const ModelRecord& requirement, const KnowledgeBase& knowledge,
+                                      const Situation& situation, std::vector<ChainingDecision>* decisions) {
+  std::vector<Requirement> found = RequirementsFrom(requirement, situation);
+  const Model& model = requirement.model;
+  if (knowledge.RequirementsOf(model.id).empty()) return found;
+  for (Requirement& said : found) {
+    Bindings bindings;
+    Fact from = situation[said.from].fact;
+    if (auto common = Intersection(from.interval, situation.interval())) from.interval = *common;
+    if (!MatchFact(model.lhs, from, bindings) || !RunGuards(model.forward, bindings)) continue;
+    ChainingDecision decision =
+        Decide(requirement, situation, WordsOn(model, knowledge, situation, bindings));
+    said.above = decision.considered;
+    switch (decision.status) {
+      case ChainingStatus::kNoRequirement:
+      case ChainingStatus::kEnabled:
+      case ChainingStatus::kEnabledAgainstVeto:
+      case ChainingStatus::kPhasedOut:  // speaks without weight anyway
+      case ChainingStatus::kTooDeep:
+        break;
+      case ChainingStatus::kWeakDisabled:
+      case ChainingStatus::kStrongDisabled:
+      case ChainingStatus::kVetoed:
+        said.allowed = false;
+        said.imdl.confidence = 0;
+        break;
+    }
+    if (decisions) decisions->push_back(std::move(decision));
+  }
+  return found;
+}
+
+namespace {
+
+// The statements that a firing rests on and those above them, each once, nearest first.
+std::vector<std::size_t> WordsAbout(const Firing& firing, const Situation& situation) {
+  std::vector<std::size_t> words;
+  const auto add = [&](const std::vector<std::size_t>& more) {
+    for (const std::size_t i : more) {
+      if (std::find(words.begin(), words.end(), i) == words.end()) words.push_back(i);
+    }
+  };
+  add(firing.requirements);
+  add(firing.vetoes);
+  for (std::size_t next = 0; next < words.size(); ++next) add(situation.requirements()[words[next]].above);
+  return words;
+}
+
+}  // namespace
+
+std::vector<ModelId> SpokenFor(const Firing& firing, const Situation& situation) {
+  std::vector<ModelId> models;
+  for (const std::size_t i : WordsAbout(firing, situation)) {
+    const ModelId id = situation.requirements()[i].requirement;
+    if (std::find(models.begin(), models.end(), id) == models.end()) models.push_back(id);
+  }
+  return models;
+}
+
+std::vector<ModelId> SilencedIn(const Firing& firing, const Situation& situation) {
+  std::set<ModelId> allowed;
+  std::set<ModelId> silenced;
+  for (const std::size_t i : WordsAbout(firing, situation)) {
+    const Requirement& said = situation.requirements()[i];
+    (said.allowed ? allowed : silenced).insert(said.requirement);
+  }
+  std::vector<ModelId> models;
+  std::set_difference(silenced.begin(), silenced.end(), allowed.begin(), allowed.end(),
+                      std::back_inserter(models));
+  return models;
 }
 
 }  // namespace aerascope

@@ -62,8 +62,8 @@ std::vector<std::size_t> AddInstances(const KnowledgeBase& knowledge, Situation*
 // confidence 0.
 std::vector<Requirement> RequirementsFrom(const ModelRecord& requirement, const Situation& situation);
 
-// The requirement models that facts of the situation can set off: strong ones before weak ones, then by id
-// (semantics 7.4).
+// The requirement models that facts of the situation can set off: those that speak about other requirement
+// models first, then strong ones before weak ones, then by id (semantics 7.4).
 std::vector<ModelId> RequirementModelsFor(const KnowledgeBase& knowledge, const Situation& situation);
 
 // One firing of a model on a fact.
@@ -84,9 +84,21 @@ struct ChainingDecision {
   std::size_t winner = Situation::npos;  // the one that decided, if one did
 };
 
+// RequirementsFrom, each statement as far as requirement models on this one allow it: they must have spoken
+// before (semantics 3.3, one level up). A statement that is not allowed has confidence 0: what rests on it is
+// predicted silently. `decisions`, one for each statement, if there are requirement models on this one.
+std::vector<Requirement> StatementsOf(const ModelRecord& requirement, const KnowledgeBase& knowledge,
+                                      const Situation& situation,
+                                      std::vector<ChainingDecision>* decisions = nullptr);
+
 // What the model predicts from the fact, given the requirements in the situation (semantics 3.3). One firing
 // for each distinct target.
 std::vector<Firing> Fire(const ModelRecord& model, const KnowledgeBase& knowledge, const Fact& input,
                          const Situation& situation, std::optional<ChainingDecision>* decision = nullptr);
+
+// The requirement models that spoke for or against the firing, those on requirement models included.
+std::vector<ModelId> SpokenFor(const Firing& firing, const Situation& situation);
+// Those of them that were not allowed to.
+std::vector<ModelId> SilencedIn(const Firing& firing, const Situation& situation);
 
 }  // namespace aerascope

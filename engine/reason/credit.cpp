@@ -64,7 +64,11 @@ void GiveCredit(const Outcome& outcome, Time now, const ReasonerParameters& para
   for (const ModelId id : outcome.requirements) {
     const bool seen =
         std::any_of(ratings.begin(), ratings.end(), [&](const auto& entry) { return entry.first == id; });
-    if (!seen) ratings.emplace_back(id, WasRight(journal->knowledge(), id, outcome.model, outcome.success));
+    if (seen) continue;
+    const bool right = WasRight(journal->knowledge(), id, outcome.model, outcome.success);
+    const bool spoke =
+        std::find(outcome.silenced.begin(), outcome.silenced.end(), id) == outcome.silenced.end();
+    if (right || spoke) ratings.emplace_back(id, right);
   }
   for (const auto& [id, right] : ratings) RateModel(id, right, outcome.event, now, parameters, journal);
 }

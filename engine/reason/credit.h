@@ -21,6 +21,9 @@ struct Outcome {
   std::vector<ModelId> requirements;  // that spoke about it then, for or against, at any level
   bool success = false;
   EventId event;
+  // Of these, the requirement models whose own requirement models did not allow them to speak: they are rated
+  // only when they would have been right.
+  std::vector<ModelId> silenced = {};
 };
 
 void GiveCredit(const Outcome& outcome, Time now, const ReasonerParameters& parameters, Journal* journal);

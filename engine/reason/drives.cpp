@@ -54,8 +54,9 @@ void Drives::Close(const Drive& drive, bool reached, EventId because, Time now) 
   last_reached_ = reached;
 }
 
-void Drives::Check(const Situation& situation, const std::map<PredictionId, EventId>& concluded) {
+std::vector<Drives::Achieved> Drives::Check(const Situation& situation, const Conclusions& concluded) {
   const Time now = situation.interval().after;
+  std::vector<Achieved> reached;
   std::vector<Drive> still_open;
   for (Drive& drive : open_) {
     const std::size_t evidence = EvidenceIn(situation, drive.target);
@@ -63,21 +64,35 @@ void Drives::Check(const Situation& situation, const std::map<PredictionId, Even
       const EventId achieved = journal_.Write(now, GoalAchieved{drive.goal.id, situation[evidence].id},
                                               {drive.goal.event, situation[evidence].event});
       Close(drive, true, achieved, now);
+      reached.push_back({drive.target, evidence, achieved});
       continue;
     }
     if (drive.target.interval.before <= now) {
       Close(drive, false, journal_.Write(now, GoalFailed{drive.goal.id}, {drive.goal.event}), now);
       continue;
     }
-    if (drive.promised_by.valid() && !journal_.knowledge().predictions().contains(drive.promised_by)) {
-      const auto outcome = concluded.find(drive.promised_by);
-      journal_.Write(now, GoalResumed{drive.goal.id, drive.promised_by},
-                     {drive.suspended, outcome == concluded.end() ? EventId{} : outcome->second});
-      drive.promised_by = {};
-    }
     still_open.push_back(std::move(drive));
   }
   open_ = std::move(still_open);
+  Resume(concluded, now);
+  return reached;
+}
+
+void Drives::Resume(const Conclusions& concluded, Time now) {
+  for (Drive& drive : open_) {
+    if (!drive.promised_by.valid() || journal_.knowledge().predictions().contains(drive.promised_by))
+      continue;
+    const auto outcome = concluded.find(drive.promised_by);
+    journal_.Write(now, GoalResumed{drive.goal.id, drive.promised_by},
+                   {drive.suspended, outcome == concluded.end() ? EventId{} : outcome->second.event});
+    drive.promised_by = {};
+  }
+}
+
+void Drives::Renew(const Expectations::Renewal& renewal) {
+  for (Drive& drive : open_) {
+    if (drive.promised_by == renewal.old) drive.promised_by = renewal.now;
+  }
 }
 
 void Drives::Suspend(Time now) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/reason/expectation.h"
 #include "engine/reason/planner.h"
 
 namespace aerascope {
@@ -36,9 +37,18 @@ class Drives {
   bool last_reached() const { return last_reached_; }
   std::optional<bool> Reached(GoalId drive) const;
 
+  // A drive that was reached at the start of this frame.
+  struct Achieved {
+    Fact target;
+    std::size_t evidence;  // position in the situation
+    EventId event;
+  };
   // At the start of a frame, when predictions have been concluded: what is reached, missed or resumed.
-  // `concluded`: the events that closed predictions in this frame.
-  void Check(const Situation& situation, const std::map<PredictionId, EventId>& concluded);
+  std::vector<Achieved> Check(const Situation& situation, const Conclusions& concluded);
+  // Pursues again what an ended prediction had promised.
+  void Resume(const Conclusions& concluded, Time now);
+  // One prediction took another's place.
+  void Renew(const Expectations::Renewal& renewal);
   // Suspends what an open prediction promises.
   void Suspend(Time now);
   std::optional<Wish> Decide(const Situation& situation, const OfferKnowledge& offer);

@@ -32,6 +32,7 @@ int Hypotheses::Consider(const ModelRecord& requirement, const CompositeStateRec
       }
       if (const ModelRecord* known = openaera ? nullptr : BlackListed(candidate.hypothesis)) {
         candidate.comparison.rejection = AnalogyVerdict::kBlackListed;
+        journal_.ComeUpAgain(known->model.id);
         candidate.refuted = known->rated;
       }
     }

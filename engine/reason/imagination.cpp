@@ -11,35 +11,6 @@ bool IsDerived(const Term& payload) {
   return IsIcst(payload) || IsImdl(payload);
 }
 
-// The requirement models among `ids` that are active and of this polarity.
-bool AnyActive(const KnowledgeBase& knowledge, const std::vector<ModelId>& ids, bool positive) {
-  return std::any_of(ids.begin(), ids.end(), [&](ModelId id) {
-    const ModelRecord* record = knowledge.Find(id);
-    return record && record->state == ModelState::kActive && record->model.rhs.positive == positive;
-  });
-}
-
-// A requirement model may itself need one: is this statement of it allowed here (semantics 3.3)?
-bool Allowed(const KnowledgeBase& knowledge, const Situation& situation, const Model& model,
-             const Requirement& said) {
-  const std::vector<ModelId>& above = knowledge.RequirementsOf(model.id);
-  if (above.empty()) return true;
-  Bindings bindings;
-  Fact from = situation[said.from].fact;
-  if (auto common = Intersection(from.interval, situation.interval())) from.interval = *common;
-  if (!MatchFact(model.lhs, from, bindings) || !RunGuards(model.forward, bindings)) return false;
-  double allowed = AnyActive(knowledge, above, true) ? 0 : 1;
-  double veto = 0;
-  for (const std::size_t i : situation.RequirementsOn(model.id)) {
-    const Requirement& other = situation.requirements()[i];
-    Bindings trial = bindings;
-    if (!BindInstance(model, other.imdl.payload, trial)) continue;
-    double& side = other.imdl.positive ? allowed : veto;
-    side = std::max(side, other.imdl.confidence);
-  }
-  return allowed > veto;
-}
-
 }  // namespace
 
 ImaginedFrame ImaginedFrame::Present(Situation situation, std::vector<SituationFact> pending) {
@@ -66,22 +37,44 @@ void ImaginedFrame::FindInstances(const KnowledgeBase& knowledge, const Composit
 
 void ImaginedFrame::AskRequirements(const KnowledgeBase& knowledge, ModelId model) {
   if (present_ || !asked_.insert(model).second) return;
+  bool delayed = false;
   for (const ModelId id : knowledge.RequirementsOf(model)) {
     const ModelRecord* record = knowledge.Find(id);
     if (!record || record->state != ModelState::kActive) continue;
+    delayed = delayed || !record->model.forward.empty();
     AskRequirements(knowledge, id);
     if (const CompositeStateRecord* state = knowledge.Find(RequiredState(record->model))) {
       FindInstances(knowledge, state->state);
     }
-    for (Requirement& said : RequirementsFrom(*record, situation_)) {
-      if (Allowed(knowledge, situation_, record->model, said)) situation_.Add(std::move(said));
+    for (Requirement& said : StatementsOf(*record, knowledge, situation_)) {
+      if (said.allowed) situation_.Add(std::move(said));
     }
+  }
+  if (!delayed || !before_) return;
+  // What was said in earlier frames about this one.
+  before_->AskRequirements(knowledge, model);
+  for (const std::size_t i : before_->situation_.RequirementsOn(model)) {
+    Requirement said = before_->situation_.requirements()[i];
+    if (!said.allowed || said.imdl.interval.before <= interval().after) continue;
+    said.from = Situation::npos;
+    said.above.clear();
+    situation_.Add(std::move(said));
   }
 }
 
 ImaginedFrame::Passage ImaginedFrame::Next(std::vector<SituationFact> effects, Duration period) const {
   const TimeInterval interval{situation_.interval().after + period, situation_.interval().before + period};
   Passage passage{ImaginedFrame(Situation(interval)), {}, {}};
+  if (period.us != 0) {
+    auto before = std::make_shared<ImaginedFrame>(*this);
+    before->pending_.clear();
+    passage.frame.before_ = std::move(before);
+  } else {
+    passage.frame.before_ = before_;
+    for (const Requirement& said : situation_.requirements()) {
+      if (present_ && said.from == Situation::npos) passage.frame.situation_.Add(said);
+    }
+  }
   std::vector<SituationFact> coming = pending_;
   coming.insert(coming.end(), std::make_move_iterator(effects.begin()),
                 std::make_move_iterator(effects.end()));
@@ -123,11 +116,13 @@ ImaginedFrame::Passage ImaginedFrame::Next(std::vector<SituationFact> effects, D
   return passage;
 }
 
-std::vector<SituationFact> PendingPredictions(const KnowledgeBase& knowledge, const Situation& situation) {
+std::vector<SituationFact> PendingPredictions(const KnowledgeBase& knowledge, const Situation& situation,
+                                              Pending which) {
   std::vector<SituationFact> pending;
   for (const auto& [id, prediction] : knowledge.predictions()) {
     const Fact& target = prediction.target;
     if (target.confidence <= 0 || target.interval.after < situation.interval().before) continue;
+    if (which == Pending::kFromFacts && !prediction.grounds.empty()) continue;
     SituationFact expected;
     expected.fact = target;
     expected.event = prediction.event;

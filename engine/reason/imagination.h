@@ -7,6 +7,7 @@
 // about and not the whole knowledge base. Not thread-safe: asking fills in.
 #pragma once
 
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -28,7 +29,8 @@ class ImaginedFrame {
   // Makes the instances of the states nested in this one (and of itself) findable in the situation.
   void FindParts(const KnowledgeBase& knowledge, const CompositeState& state);
   void FindInstances(const KnowledgeBase& knowledge, const CompositeState& state);
-  // Makes the requirement models that speak about the model say what they have to say, vetoes included.
+  // Makes the requirement models that speak about the model say what they have to say, vetoes included; also
+  // what they said in earlier frames about this one.
   void AskRequirements(const KnowledgeBase& knowledge, ModelId model);
 
   struct Defeat {
@@ -48,6 +50,9 @@ class ImaginedFrame {
   bool present_ = false;
   std::set<CompositeStateId> found_;
   std::set<ModelId> asked_;
+  // The frame before, as far as it was imagined: requirement models may have spoken there about this one.
+  // Shared by all frames that follow it.
+  std::shared_ptr<ImaginedFrame> before_;
 };
 
 struct ImaginedFrame::Passage {
@@ -56,8 +61,12 @@ struct ImaginedFrame::Passage {
   std::vector<Defeat> defeated;
 };
 
+// Which predictions: those made from facts, or also those that rest on others.
+enum class Pending { kFromFacts, kAll };
+
 // What is open to be expected: targets of predictions that are not silent, after the frame of the situation.
-std::vector<SituationFact> PendingPredictions(const KnowledgeBase& knowledge, const Situation& situation);
+std::vector<SituationFact> PendingPredictions(const KnowledgeBase& knowledge, const Situation& situation,
+                                              Pending which);
 
 // Would the effect put an end to the fact: the same thing with the other polarity, or with another value?
 bool PutsAnEndTo(const Fact& effect, const Fact& fact);

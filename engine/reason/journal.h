@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "engine/event/apply.h"
@@ -43,6 +44,11 @@ class Journal {
   EventId Write(Time time, EventBody body, const std::vector<EventId>& causes = {},
                 SimulationId simulation = {});
 
+  // The like of a black-listed model was put together again, so that it is not to be forgotten yet.
+  void ComeUpAgain(ModelId black_listed) { come_up_again_.push_back(black_listed); }
+  // Those since the last call.
+  std::vector<ModelId> TakeComeUpAgain() { return std::exchange(come_up_again_, {}); }
+
   void StartFrame(std::int64_t frame) { frame_ = frame; }
   std::int64_t frame() const { return frame_; }
   // What the last Write gave.
@@ -59,6 +65,7 @@ class Journal {
   // lists of recorded causes, each kept once.
   std::vector<std::vector<EventId>> stand_ins_;
   std::map<std::vector<EventId>, EventId> stand_in_by_causes_;
+  std::vector<ModelId> come_up_again_;
   std::int64_t last_object_ = 0;
   std::int64_t last_event_ = 0;
   EventId last_written_;

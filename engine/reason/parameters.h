@@ -20,6 +20,15 @@ constexpr std::string_view ToText(AnalogyMode mode) {
   return mode == AnalogyMode::kPaper ? "paper" : "openaera";
 }
 
+// What induction from goals looks at (semantics 5.3). kSideEffects: what OpenAERA's standard setting
+// (pass_through) leaves: anti-facts that came about beside what a command was predicted to do. kAll: whatever
+// came before an unexpected success.
+enum class GoalInduction { kAll, kSideEffects };
+
+constexpr std::string_view ToText(GoalInduction induction) {
+  return induction == GoalInduction::kAll ? "all" : "side_effects";
+}
+
 struct ReasonerParameters {
   // Analogy (not parameters in OpenAERA, where three components are built in and familiarity is not
   // computed).
@@ -32,9 +41,16 @@ struct ReasonerParameters {
   int mdl_inertia_cnt_thr = 6;      // number of tries from which a model can become strong
   double primary_act_thr = 0.4;  // a model at or below this success rate is deleted, or phased out if strong
   double secondary_act_thr = 0.3;  // a phased-out model above this is watched for recovery
+  Duration primary_thz =
+      Seconds(3'600'000);  // a model that nothing has matched for so long is phased out ...
+  Duration secondary_thz = Seconds(7'200'000);  // ... and for so long, deleted; a black-listed one forgotten
 
   // Induction (OpenAERA: 300 ms in frames of 100 ms).
   int tpx_time_horizon_frames = 3;  // how far back the causes of a failed prediction are looked for
+  GoalInduction goal_induction = GoalInduction::kAll;  // openaera mode: kSideEffects
+
+  // Forward chaining. OpenAERA has no limit of its own here.
+  int max_prediction_chain = 4;  // predictions that rest on one another, beyond the one made from facts
 
   // Planning. OpenAERA limits it by wall-clock time instead; counts keep runs the same on every machine.
   int max_plan_depth = 8;            // goals under goals

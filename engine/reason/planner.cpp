@@ -51,8 +51,8 @@ class Planner {
   };
 
   std::shared_ptr<ImaginedFrame> Present() const {
-    return std::make_shared<ImaginedFrame>(
-        ImaginedFrame::Present(context_.present, PendingPredictions(context_.knowledge, context_.present)));
+    return std::make_shared<ImaginedFrame>(ImaginedFrame::Present(
+        context_.present, PendingPredictions(context_.knowledge, context_.present, Pending::kAll)));
   }
 
   bool AnyReached() const {

@@ -7,6 +7,8 @@
 #include "engine/reason/change_induction.h"
 #include "engine/reason/credit.h"
 #include "engine/reason/failure_induction.h"
+#include "engine/reason/goal_induction.h"
+#include "engine/reason/plan.h"
 #include "engine/reason/requirement_builder.h"
 
 namespace aerascope {
@@ -48,6 +50,8 @@ Reasoner::Reasoner(const ReasonerParameters& parameters, Duration sampling_perio
       journal_(sink),
       previous_({Time{-sampling_period.us}, Time{0}}),
       situation_({Time{-sampling_period.us}, Time{0}}),
+      expectations_(parameters_, sampling_period, &journal_),
+      time_outs_(parameters_, &journal_),
       drives_(parameters_, sampling_period, &journal_) {}
 
 void Reasoner::LoadSeed(const std::vector<Term>& symbols, const std::vector<Fact>& properties,
@@ -77,7 +81,12 @@ void Reasoner::LoadSeed(const std::vector<Term>& symbols, const std::vector<Fact
     renumbered.Add(given.model.id, model.id);
     model.lhs = renumbered(model.lhs);
     model.rhs = renumbered(model.rhs);
-    journal_.Write(start, ModelCreated{std::move(model), given.evidence, given.strong, Origin::kSeed, {}});
+    const ModelId id = model.id;
+    const EventId created = journal_.Write(
+        start, ModelCreated{std::move(model), given.evidence, given.strong, Origin::kSeed, {}});
+    if (given.state == ModelState::kActive) continue;
+    journal_.Write(start, ModelStateChanged{id, ModelState::kActive, given.state, StateChangeReason::kGiven},
+                   {created});
   }
 }
 
@@ -101,27 +110,33 @@ void Reasoner::BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed) {
   situation_ = Situation(interval);
   std::erase_if(pending_,
                 [&](const Requirement& said) { return said.imdl.interval.before <= interval.after; });
-  for (const Requirement& said : pending_) {
-    if (said.imdl.interval.Overlaps(interval)) situation_.Add(said);
-  }
+  for (const Requirement& said : pending_) situation_.Add(said);
   frame_started_ = journal_.Write(interval.after, FrameStarted{interval});
   for (const SituationFact& property : properties_) {
     if (property.fact.interval.Overlaps(interval)) situation_.Add(property);
   }
   for (const Fact& fact : sensed) AddFact(fact, FactSource::kSensor, interval.after, {});
   CheckPredictions();
-  drives_.Check(situation_, concluded_);
+  time_outs_.Check(interval.after, frame_started_);
+  const std::vector<Drives::Achieved> reached = drives_.Check(situation_, concluded_);
   LearnFromChanges();
+  LearnFromGoals(reached);
   Chain(interval.after);
+  for (const Expectations::Renewal& renewal : expectations_.Renew(&concluded_, interval.after))
+    drives_.Renew(renewal);
+  drives_.Resume(concluded_, interval.after);
+  expectations_.Extend(situation_, pending_, interval.after);
 }
 
 void Reasoner::CheckPredictions() {
   expected_.clear();
   concluded_.clear();
+  came_true_.clear();
   const TimeInterval frame = FrameInterval();
   std::vector<PredictionRecord> open;
   for (const auto& [id, prediction] : knowledge().predictions()) {
-    if (prediction.target.interval.after < frame.before) open.push_back(prediction);
+    const bool from_facts = prediction.grounds.empty();
+    if (from_facts && prediction.target.interval.after < frame.before) open.push_back(prediction);
   }
   for (const PredictionRecord& prediction : open) {
     const Fact& target = prediction.target;
@@ -145,6 +160,7 @@ void Reasoner::CheckPredictions() {
         verdict == EvidenceVerdict::kPositive || (verdict == EvidenceVerdict::kNone && !target.positive);
     Conclude(prediction, success, evidence);
   }
+  expectations_.GiveUp(&concluded_, frame.after);
 }
 
 void Reasoner::Conclude(const PredictionRecord& prediction, bool success, const SituationFact* evidence) {
@@ -157,19 +173,25 @@ void Reasoner::Conclude(const PredictionRecord& prediction, bool success, const 
   const std::vector<EventId> causes{prediction.event, evidence ? evidence->event : EventId{}};
   const EventId outcome = success ? journal_.Write(now, PredictionSucceeded{prediction.id, shown_by}, causes)
                                   : journal_.Write(now, PredictionFailed{prediction.id, shown_by}, causes);
-  concluded_[prediction.id] = outcome;
   if (!success && !evidence && !silent) {
     Fact absent = target;
     absent.positive = !target.positive;
     absent.confidence = 1;
     shown_by = situation_[AddFact(std::move(absent), FactSource::kAbsence, now, {outcome})].id;
   }
+  concluded_[prediction.id] = {outcome, success, shown_by};
+  const auto firing = open_firings_.find(prediction.id);
   // A silent prediction counts only when it was right.
   if (proven && (success || !silent)) {
-    GiveCredit({prediction.model, prediction.requirements, success, outcome}, now, parameters_, &journal_);
+    std::vector<ModelId> silenced;
+    if (firing != open_firings_.end()) silenced = firing->second.silenced;
+    GiveCredit({prediction.model, prediction.requirements, success, outcome, std::move(silenced)}, now,
+               parameters_, &journal_);
     if (!success) LearnFromFailure(prediction, shown_by, outcome);
   }
-  open_firings_.erase(prediction.id);
+  if (firing == open_firings_.end()) return;
+  if (success) came_true_.push_back({prediction, std::move(firing->second)});
+  open_firings_.erase(firing);
 }
 
 void Reasoner::LearnFromFailure(const PredictionRecord& prediction, FactId shown_by, EventId outcome) {
@@ -213,6 +235,39 @@ void Reasoner::LearnFromChanges() {
   }
 }
 
+// A success is unexpected if nothing that came true in this frame had promised it.
+void Reasoner::LearnFromGoals(const std::vector<Drives::Achieved>& reached) {
+  for (const Drives::Achieved& goal : reached) {
+    const SituationFact& evidence = situation_[goal.evidence];
+    const bool promised = std::any_of(came_true_.begin(), came_true_.end(), [&](const CameTrue& one) {
+      return BringsAbout(one.prediction.target, goal.target);
+    });
+    if (promised || evidence.concluded || evidence.permanent) continue;
+    std::vector<const Situation*> frames;
+    const auto since_given = [&](const Situation& frame) {
+      if (frame.interval().before > goal.target.interval.after) frames.push_back(&frame);
+    };
+    since_given(previous_);
+    for (const Situation& frame : earlier_) since_given(frame);
+    std::vector<PredictedCommand> commands;
+    for (const CameTrue& one : came_true_) {
+      const ModelRecord* record = knowledge().Find(one.prediction.model);
+      if (one.prediction.target.confidence <= 0 || !record || !IsCommand(record->model.lhs.payload)) continue;
+      for (const Situation* frame : frames) {
+        if (frame->interval().after != one.firing.frame) continue;
+        const auto& facts = frame->facts();
+        const auto command = std::find_if(facts.begin(), facts.end(), [&](const SituationFact& fact) {
+          return fact.id == one.firing.input;
+        });
+        if (command != facts.end()) commands.push_back({*command, frame, one.firing.condition});
+      }
+    }
+    InduceFromGoal({goal.target, evidence.id, evidence.fact, {goal.event, evidence.event}}, commands, frames,
+                   parameters_.goal_induction == GoalInduction::kSideEffects, FrameInterval().after,
+                   &journal_);
+  }
+}
+
 void Reasoner::WriteInstances(const std::vector<std::size_t>& positions, Time at) {
   for (const std::size_t position : positions) {
     const SituationFact& instance = situation_[position];
@@ -227,27 +282,30 @@ void Reasoner::WriteInstances(const std::vector<std::size_t>& positions, Time at
 void Reasoner::OfferToRequirement(ModelId id, Time at) {
   const ModelRecord* record = knowledge().Find(id);
   if (!record) return;
-  for (Requirement& requirement : RequirementsFrom(*record, situation_)) {
-    const EventId from = situation_[requirement.from].event;
-    requirement.event = journal_.Write(at, ImdlPredicted{journal_.NewId<FactId>(), id, requirement.imdl},
-                                       {from, record->event});
+  std::vector<ChainingDecision> decisions;
+  std::vector<Requirement> statements = StatementsOf(*record, knowledge(), situation_, &decisions);
+  if (!statements.empty()) time_outs_.Met(id, at);
+  for (std::size_t i = 0; i < statements.size(); ++i) {
+    Requirement& requirement = statements[i];
+    if (i < decisions.size()) ReportDecision(id, requirement.from, decisions[i], at);
+    std::vector<EventId> causes{situation_[requirement.from].event, record->event};
+    for (const std::size_t above : requirement.above)
+      causes.push_back(situation_.requirements()[above].event);
+    requirement.event =
+        journal_.Write(at, ImdlPredicted{journal_.NewId<FactId>(), id, requirement.imdl}, causes);
     if (requirement.imdl.interval.before > FrameInterval().before) {
       pending_.push_back(requirement);
       pending_.back().from = Situation::npos;
+      pending_.back().above.clear();
     }
     situation_.Add(std::move(requirement));
   }
 }
 
-std::vector<ModelId> Reasoner::SpokenFor(const Firing& firing) const {
-  std::vector<ModelId> models;
-  for (const std::vector<std::size_t>* said : {&firing.requirements, &firing.vetoes}) {
-    for (const std::size_t i : *said) {
-      const ModelId id = situation_.requirements()[i].requirement;
-      if (std::find(models.begin(), models.end(), id) == models.end()) models.push_back(id);
-    }
-  }
-  return models;
+// What the requirement model that allowed the firing spoke of; npos if none did, or in an earlier frame.
+std::size_t Reasoner::ConditionOf(const Firing& firing) const {
+  return firing.requirements.empty() ? Situation::npos
+                                     : situation_.requirements()[firing.requirements.front()].from;
 }
 
 void Reasoner::Chain(Time at) {
@@ -302,7 +360,10 @@ void Reasoner::FireOn(std::size_t fact, Time at) {
     std::optional<ChainingDecision> decision;
     const std::vector<Firing> firings =
         Fire(record, knowledge(), situation_[fact].fact, situation_, &decision);
-    if (decision) ReportDecision(id, fact, *decision, at);
+    if (decision) {
+      time_outs_.Met(id, at);
+      ReportDecision(id, fact, *decision, at);
+    }
     for (const Firing& firing : firings) {
       if (firing.target.interval.before <= at) continue;
       std::vector<EventId> causes{situation_[fact].event};
@@ -312,9 +373,10 @@ void Reasoner::FireOn(std::size_t fact, Time at) {
       causes.push_back(record.event);
       const PredictionId prediction = journal_.NewId<PredictionId>();
       const FactId input = situation_[fact].id;
-      const EventId event =
-          journal_.Write(at, PredictionMade{prediction, id, SpokenFor(firing), input, firing.target}, causes);
-      open_firings_[prediction] = {firing.instance, input};
+      const EventId event = journal_.Write(
+          at, PredictionMade{prediction, id, SpokenFor(firing, situation_), input, firing.target}, causes);
+      open_firings_[prediction] = {firing.instance, input, FrameInterval().after, ConditionOf(firing),
+                                   SilencedIn(firing, situation_)};
       if (firing.vetoed || !firing.instance.ground()) continue;
       // The instance itself is a fact, for reuse models and as a possible cause.
       SituationFact instance;
@@ -354,6 +416,7 @@ void Reasoner::Executed(const Term& command, EventId issued) {
   const Time at = At(parameters_.commit_offset);
   const Fact fact{true, command, {At(parameters_.command_offset), FrameInterval().before}, 1};
   FireOn(AddFact(fact, FactSource::kExecuted, at, {issued}), at);
+  expectations_.Extend(situation_, pending_, at);
   drives_.Suspend(at);
 }
 

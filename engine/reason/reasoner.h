@@ -15,9 +15,11 @@
 #include "engine/event/event.h"
 #include "engine/reason/chaining.h"
 #include "engine/reason/drives.h"
+#include "engine/reason/expectation.h"
 #include "engine/reason/journal.h"
 #include "engine/reason/parameters.h"
 #include "engine/reason/situation.h"
+#include "engine/reason/time_outs.h"
 
 namespace aerascope {
 
@@ -26,6 +28,7 @@ struct SeedModelDefinition {
   Model model;
   Evidence evidence;
   bool strong = false;
+  ModelState state = ModelState::kActive;  // not deleted
 };
 
 class Reasoner {
@@ -68,9 +71,10 @@ class Reasoner {
   void Conclude(const PredictionRecord& prediction, bool success, const SituationFact* evidence);
   void LearnFromFailure(const PredictionRecord& prediction, FactId shown_by, EventId outcome);
   void LearnFromChanges();
+  void LearnFromGoals(const std::vector<Drives::Achieved>& reached);
   void Chain(Time at);
   void OfferToRequirement(ModelId id, Time at);
-  std::vector<ModelId> SpokenFor(const Firing& firing) const;
+  std::size_t ConditionOf(const Firing& firing) const;
   void WriteInstances(const std::vector<std::size_t>& positions, Time at);
   void ReportDecision(ModelId model, std::size_t input, const ChainingDecision& decision, Time at);
   void FireOn(std::size_t fact, Time at);
@@ -83,6 +87,14 @@ class Reasoner {
   struct OpenFiring {
     Term instance;
     FactId input;
+    Time frame;                               // in which it fired
+    std::size_t condition = Situation::npos;  // what allowed it, as a position in that situation
+    std::vector<ModelId> silenced;            // requirement models that were not allowed to speak
+  };
+  // A prediction that came true in this frame.
+  struct CameTrue {
+    PredictionRecord prediction;
+    OpenFiring firing;
   };
 
   std::vector<SituationFact> properties_;
@@ -92,8 +104,11 @@ class Reasoner {
   EventId frame_started_;
   std::vector<Requirement> pending_;  // what requirement models say about later frames
   std::map<PredictionId, OpenFiring> open_firings_;
-  std::vector<Fact> expected_;                 // targets of predictions for this frame, come true or not
-  std::map<PredictionId, EventId> concluded_;  // predictions closed in this frame, and by which event
+  std::vector<Fact> expected_;  // targets of predictions for this frame, come true or not
+  Conclusions concluded_;       // predictions closed in this frame
+  std::vector<CameTrue> came_true_;
+  Expectations expectations_;
+  TimeOuts time_outs_;
   Drives drives_;
 };
 

@@ -24,7 +24,8 @@ class Simulator {
         context_(context),
         knowledge_(context.knowledge),
         journal_(*journal),
-        frame_(ImaginedFrame::Present(context.present, PendingPredictions(knowledge_, context.present))) {}
+        frame_(ImaginedFrame::Present(
+            context.present, PendingPredictions(knowledge_, context.present, Pending::kFromFacts))) {}
 
   Trial Run(const std::vector<EventId>& hypothesised) {
     trial_.simulation = journal_.NewId<SimulationId>();
@@ -169,7 +170,10 @@ class Simulator {
     double best = -1;
     for (const Requirement& requirement : frame_.situation().requirements()) {
       Bindings trial = bindings;
-      if (requirement.target != model.id || !BindInstance(model, requirement.imdl.payload, trial)) continue;
+      if (requirement.target != model.id || !requirement.imdl.interval.Overlaps(frame_.interval()) ||
+          !BindInstance(model, requirement.imdl.payload, trial)) {
+        continue;
+      }
       considered.push_back({requirement.requirement, requirement.imdl.positive, requirement.imdl.confidence});
       if (!requirement.imdl.positive && requirement.imdl.confidence > best) {
         best = requirement.imdl.confidence;

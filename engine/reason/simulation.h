@@ -1,5 +1,6 @@
 // A simulation tries a plan in the head: forward chaining from the present, command by command, with the same
-// models, requirements, vetoes and timing as for real (semantics 4.5).
+// models, requirements, vetoes and timing as for real (semantics 4.5). What follows from predictions is found
+// anew in each frame, since the plan may get in the way of it.
 //
 // Each event of it carries the simulation's number. What nothing contradicts is taken to hold on, and logged
 // where a composite state of the plan rests on it. A step works only if its model is allowed to fire where

@@ -30,7 +30,13 @@ struct Requirement {
   ModelId target;
   Fact imdl;  // its polarity tells a positive from a negative requirement
   EventId event;
-  std::size_t from = 0;  // the fact (usually an instance) on its left side, as a position in the situation
+  // The fact (usually an instance) on its left side, as a position in the situation; npos if that was another
+  // situation.
+  std::size_t from = 0;
+  // What requirement models on this one said here, as positions in the situation's requirements. If they do
+  // not allow it to speak, it speaks with confidence 0.
+  std::vector<std::size_t> above = {};
+  bool allowed = true;
 };
 
 class Situation {

@@ -29,6 +29,7 @@ Threats FindThreats(const Fact& target, const GoalEntry& goal, ImaginedFrame* pr
     for (const Requirement& requirement : present->situation().requirements()) {
       Bindings allowed = bindings;
       if (required && requirement.target == id && requirement.imdl.positive &&
+          requirement.imdl.interval.Overlaps(present->interval()) &&
           BindInstance(record->model, requirement.imdl.payload, allowed)) {
         firing.push_back(std::move(allowed));
       }

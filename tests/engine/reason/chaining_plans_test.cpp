@@ -93,22 +93,43 @@ TEST(FactOnTheLeft, WhenWhatWasPromisedFailsTheGoalIsPursuedAgain) {
   EXPECT_EQ(mind.Act(), "(cmd press [switch])");
 }
 
-TEST(FactOnTheLeft, MovingThingsAreWaitedForOverSeveralFrames) {
-  // own. Given a ball that moves 5 a frame, when it is wanted at 15 and is at 0, then the plan is to wait
-  // three frames.
-  ToyMind mind;
+// Given a ball that moves 5 a frame and is at 0, it is wanted at 15.
+void RollAndWant(ToyMind* mind) {
   Model roll = Free(1, Value(V(2), "position", V(3)), Value(V(2), "position", V(8)));
   roll.forward.push_back({8, Term::Struct("+", {V(3), N(5)})});
   roll.backward.push_back({3, Term::Struct("-", {V(8), N(5)})});
-  mind.Know({}, {}, {{roll, {}, false}});
-  mind.See({Value(E("ball"), "position", N(0))});
-  mind.Want(Value(E("ball"), "position", N(15)));
-  EXPECT_EQ(mind.Act(), "");
+  mind->Know({}, {}, {{roll, {}, false}});
+  mind->See({Value(E("ball"), "position", N(0))});
+  mind->Want(Value(E("ball"), "position", N(15)));
+  EXPECT_EQ(mind->Act(), "");
+}
+
+TEST(FactOnTheLeft, MovingThingsAreWaitedForOverSeveralFrames) {
+  // own. Where nothing is predicted from predictions, the plan is to wait three frames.
+  ReasonerParameters parameters;
+  parameters.max_prediction_chain = 0;
+  ToyMind mind(parameters);
+  RollAndWant(&mind);
   const auto started = mind.All<SimulationStarted>();
   ASSERT_EQ(started.size(), 1u);
   EXPECT_EQ(started[0]->steps.size(), 3u);
   EXPECT_THAT(Outcomes(mind), ElementsAre("reached"));
   EXPECT_THAT(SkipReasons(mind), Contains("predicted"));
+}
+
+TEST(FactOnTheLeft, WhatFollowsFromPredictionsIsWaitedForWithoutAPlan) {
+  // own. Where it is, the third position is predicted already, and nothing is done until it comes or fails.
+  ToyMind mind;
+  RollAndWant(&mind);
+  EXPECT_EQ(mind.All<SimulationStarted>().size(), 0u);
+  for (const int position : {5, 10}) {
+    mind.See({Value(E("ball"), "position", N(position))});
+    EXPECT_EQ(mind.Act(), "");
+  }
+  EXPECT_EQ(mind.All<GoalSuspended>().size(), 1u);
+  EXPECT_EQ(mind.All<GoalResumed>().size(), 0u);
+  mind.See({Value(E("ball"), "position", N(15))});
+  EXPECT_EQ(mind.All<GoalAchieved>().size(), 1u);
 }
 
 // ---------------------------------------------------------------------------------------------------------
@@ -259,6 +280,100 @@ TEST(Veto, OneThatComesToHoldOnTheWayDisablesALaterStep) {
   const auto started = mind.All<SimulationStarted>();
   ASSERT_EQ(started.size(), 1u);
   EXPECT_EQ(started[0]->steps.size(), 2u);
+  EXPECT_THAT(Outcomes(mind), ElementsAre("not_enabled"));
+}
+
+// What the requirement model says, it says of a frame later than its condition.
+Model Delayed(Model requirement, int frames) {
+  const Term& after = requirement.lhs.after;
+  const Term later = Term::Span(kFrame * frames);
+  const Term template_interval = Term::Struct("ti", {V(20), V(21)});
+  requirement.forward = {{20, Term::Struct("+", {after, later})},
+                         {21, Term::Struct("+", {requirement.lhs.before, later})}};
+  const Term imdl = requirement.rhs.payload;
+  requirement.rhs = {requirement.rhs.positive,
+                     Term::Struct("imdl", {imdl[0], Term::Set({template_interval}), imdl[2]}), V(20), V(21)};
+  return requirement;
+}
+
+// The glass is filled through an open tap, and h goes with a full glass. Opening the tap makes the floor wet,
+// filling dries it. A wet floor vetoes `go` so many frames later.
+void KnowTap(ToyMind* mind, int frames) {
+  const CompositeState open_tap = State(1, {Value(V(0), "tap", O("open"))}, 1);
+  const CompositeState full = State(2, {Value(V(0), "glass", O("full"))}, 1);
+  const CompositeState wet = State(3, {Value(V(0), "floor", O("wet"))}, 1);
+  const Model open = Free(4, Command("open", {V(2)}), Value(V(2), "tap", O("open")));
+  const Model spill = Free(5, Command("open", {V(2)}), Value(V(2), "floor", O("wet")));
+  const Model fill = Causal(6, Command("fill", {V(2)}), Value(V(2), "glass", O("full")));
+  const Model dry = Free(7, Command("fill", {V(2)}), Value(V(2), "floor", O("dry")));
+  const Model go = Causal(8, Command("go", {V(2)}), Value(V(2), "place", O("table")));
+  const auto on = [&](std::int64_t id, std::int64_t state, const Model& model, bool positive) {
+    return Requires(id, MakeIcst({state}, {}, {V(0)}), model, {V(0), V(4), V(5)}, 2, positive);
+  };
+  mind->Know({}, {open_tap, full, wet},
+             {{open, {}, false},
+              {spill, {}, false},
+              {fill, {}, false},
+              {dry, {}, false},
+              {go, {}, false},
+              {on(9, 1, fill, true), {}, false},
+              {on(10, 2, go, true), {}, false},
+              {Delayed(on(11, 3, go, false), frames), {}, false}});
+}
+
+TEST(DelayedVeto, WhatHoldsNowVetoesAStepOfTheNextFrame) {
+  // OpenAERA (semantics 5.2: guards of one or two frames; 3.2: entries live as long as their interval). Given
+  // a wet floor now and an open tap, the glass can be filled, but what comes next is vetoed.
+  for (const bool wet : {true, false}) {
+    ToyMind mind;
+    KnowTap(&mind, 1);
+    mind.See({Value(E("h"), "tap", O("open")), Value(E("h"), "glass", O("empty")),
+              Value(E("h"), "floor", O(wet ? "wet" : "dry")), Value(E("h"), "place", O("door"))});
+    mind.Want(Value(E("h"), "place", O("table")));
+    EXPECT_EQ(mind.Wish(), wet ? "" : "(cmd fill [h])");
+    EXPECT_THAT(Outcomes(mind), ElementsAre(wet ? "not_enabled" : "reached"));
+  }
+}
+
+TEST(DelayedVeto, WhatHoldsNowDoesNotVetoAStepOfThisFrame) {
+  // own. It speaks of the next frame only.
+  ToyMind mind;
+  KnowTap(&mind, 1);
+  mind.See({Value(E("h"), "tap", O("open")), Value(E("h"), "glass", O("full")),
+            Value(E("h"), "floor", O("wet")), Value(E("h"), "place", O("door"))});
+  mind.Want(Value(E("h"), "place", O("table")));
+  EXPECT_EQ(mind.Wish(), "(cmd go [h])");
+}
+
+TEST(DelayedVeto, IsCarriedFromAnImaginedFrameToALaterOne) {
+  // own (semantics 4.5: the same machinery). Given a closed tap, the plan is open, fill, go: the floor is wet
+  // in the second frame only, and that vetoes the third; two frames later it vetoes nothing of the plan.
+  for (const int frames : {1, 2}) {
+    ToyMind mind;
+    KnowTap(&mind, frames);
+    mind.See({Value(E("h"), "tap", O("closed")), Value(E("h"), "glass", O("empty")),
+              Value(E("h"), "floor", O("dry")), Value(E("h"), "place", O("door"))});
+    mind.Want(Value(E("h"), "place", O("table")));
+    EXPECT_EQ(mind.Wish(), frames == 1 ? "" : "(cmd open [h])");
+    ASSERT_FALSE(mind.All<SimulationStarted>().empty());
+    EXPECT_EQ(mind.All<SimulationStarted>()[0]->steps.size(), 3u);
+    EXPECT_THAT(Outcomes(mind), ElementsAre(frames == 1 ? "not_enabled" : "reached"));
+  }
+}
+
+TEST(DelayedVeto, WhatWasSeenEarlierStillVetoesInTheHead) {
+  // own. Given a floor that was wet a frame ago and is dry now, a veto two frames later stops the second
+  // step.
+  ToyMind mind;
+  KnowTap(&mind, 2);
+  const auto see = [&](const char* floor) {
+    mind.See({Value(E("h"), "tap", O("open")), Value(E("h"), "glass", O("empty")),
+              Value(E("h"), "floor", O(floor)), Value(E("h"), "place", O("door"))});
+  };
+  see("wet");
+  see("dry");
+  mind.Want(Value(E("h"), "place", O("table")));
+  EXPECT_EQ(mind.Wish(), "");
   EXPECT_THAT(Outcomes(mind), ElementsAre("not_enabled"));
 }
 
