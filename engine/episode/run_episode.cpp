@@ -244,10 +244,7 @@ EpisodeHeader HeaderFor(const Scenario& scenario, const World& world, const std:
   header.settings["world.kind"] = description.kind;
   header.settings["world.cameras"] = Join(description.cameras, " ");
   header.settings["random_seed"] = std::to_string(scenario.random_seed);
-  if (const auto* mujoco = std::get_if<MujocoWorldConfig>(&scenario.world)) {
-    for (const ObjectConfig& object : mujoco->objects)
-      header.settings["world.body." + object.entity] = object.body;
-  }
+  for (const auto& [entity, body] : description.body_of_entity) header.settings["world.body." + entity] = body;
   for (const auto& [name, text] : scenario.files) header.files.push_back({name, text});
   if (!description.model_text.empty()) header.files.push_back({"world/scene.xml", description.model_text});
   for (const WorldAsset& asset : description.assets)

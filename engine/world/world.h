@@ -6,6 +6,7 @@
 // what Act says was executed is what was really done, not what was asked for.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -44,6 +45,8 @@ struct WorldDescription {
   std::string model_text;
   std::vector<WorldAsset> assets;
   std::vector<std::string> cameras;  // the first one is the default view
+  // Which body of the model an entity is; of the hand, the one that carries its tool. Entities without one are left out.
+  std::map<std::string, std::string> body_of_entity{};
 };
 
 // How a sensor's word is dated (semantics 7.2). A periodic value holds throughout the frame it was sensed in. A held one

@@ -8,7 +8,7 @@
 #include "viewer/app/commands.h"
 #include "viewer/app/episode_run.h"
 #include "viewer/app/file_output.h"
-#include "viewer/app/pictures.h"
+#include "viewer/app/report_files.h"
 #include "viewer/app/terminal.h"
 
 namespace aerascope {

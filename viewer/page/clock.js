@@ -113,6 +113,7 @@ class App {
     if (this.playing) {
       clearInterval(this.playing);
       this.playing = 0;
+      if (this.player) this.player.stop();
     } else {
       if (this.t >= this.frames[this.frames.length - 1]) this.go(this.frames[0]);
       const stills = this.report.film.stills.map((still) => still.at);
@@ -120,7 +121,8 @@ class App {
       // A frame a second, faster where there are many.
       const frameMs = clamp(60000 / this.frames.length, 120, 1000);
       const pause = Math.max(40, frameMs * this.frames.length / stops.length);
-      this.playing = setInterval(() => {
+      // A video keeps time itself, where there is one.
+      this.playing = this.player && this.player.start() ? -1 : setInterval(() => {
         const next = stops.find((stop) => stop > this.t);
         if (next === undefined) this.toggle(); else this.go(next);
       }, pause);

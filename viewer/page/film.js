@@ -1,71 +1,262 @@
-// ---- film.js: the still of the moment with outlines and names, or a plan of positions where there are no stills.
+// ---- film.js: the picture of the moment, still or video, with outlines and names; or a plan of positions where there are
+// no pictures.
 
 function filmPane(app) {
   const { film } = app.report;
+  describeStills(film);
   const box = $("film");
-  const image = el("img", { alt: "", draggable: "false" });
+  const image = el("img", { class: "still", alt: "", draggable: "false" });
   const over = svg("svg", { viewBox: `0 0 ${film.width || 16} ${film.height || 9}`, preserveAspectRatio: "xMidYMid slice" });
-  const unit = (film.width || 800) / 800;
+  const outlines = outlineLayer(app, over, (film.width || 800) / 800);
+  const video = filmVideo(app, box);
+  const cameras = [{ ...film.camera, stills: film.stills, outlines: film.outlines }, ...film.views];
+  let camera = cameras[0];
   box.append(image, over);
+  if (film.note) box.after(el("p", { class: "film-note", text: film.note }));
 
-  const path = (outline) => {
-    let d = "";
-    for (let i = 0; i < outline.length; i += 2) d += (i ? "L" : "M") + outline[i] + " " + outline[i + 1];
+  const buttons = cameraButtons(box, cameras, (chosen) => {
+    const going = app.playing;
+    if (going) app.toggle();
+    look(chosen);
+    app.keep("cam", camera === cameras[0] ? "" : camera.id);
+    app.go(app.t);
+    if (going) app.toggle();
+  });
+  function look(chosen) {
+    camera = chosen;
+    for (const button of buttons) button.setAttribute("aria-pressed", String(button.dataset.camera === camera.id));
+  }
+  look(camera);
+  // Only the first camera has a video; what it shows then is what the clock reads.
+  app.player = {
+    start: () => camera === cameras[0] && video !== null && video.start(),
+    stop: () => { if (video) video.stop(); },
+  };
+
+  return app.add({
+    showTime(t) {
+      const still = lastAt(camera.stills, t, (s) => s.at) || camera.stills[0];
+      const exact = still.at <= t && (t < still.until || t === still.at);
+      const moving = camera === cameras[0] && video !== null && video.show(t, exact);
+      box.classList.toggle("moving", moving);
+      if (!moving || exact) showImage(image, still.image);
+      image.alt = "The scene at " + clockText(still.at) + (camera.title ? ", camera " + camera.title : "");
+      const next = camera.stills[camera.stills.indexOf(still) + 1];
+      if (next) blockAddress(next.image);
+      outlines.show(camera.outlines, moving ? t : exact ? t : still.at, boundObjects(app, t));
+    },
+    showSelection() {},
+    restore(state) { look(cameras.find((one) => one.id === state.get("cam")) || cameras[0]); },
+  });
+}
+
+// Gives the stills of the first camera what is in them: name -> { outline, label } in pixels; worked out when asked for.
+function describeStills(film) {
+  for (const still of film.stills) {
+    Object.defineProperty(still, "objects", { get() {
+      const { names, shapes, at } = film.outlines;
+      const entry = lastAt(at, still.at, (one) => one[0]) || [];
+      const objects = {};
+      for (let i = 1; i < entry.length; i += 2) {
+        const shape = shapes[entry[i + 1]];
+        const outline = shape.slice(2);
+        for (let k = 2; k < outline.length; ++k) outline[k] += outline[k - 2];
+        objects[names[entry[i]]] = { outline, label: shape.slice(0, 2) };
+      }
+      return objects;
+    } });
+  }
+}
+
+// A switch of cameras, where there are several.
+function cameraButtons(box, cameras, choose) {
+  if (cameras.length < 2) return [];
+  const buttons = cameras.map((camera) => el("button", { type: "button", "data-camera": camera.id, text: camera.title,
+    on: { click: () => choose(camera) } }));
+  box.append(el("div", { class: "cameras", role: "group", "aria-label": "Camera" }, ...buttons));
+  return buttons;
+}
+
+// The video of the film: picture i shows the world at from + i * picture. It plays by itself, and the clock follows; else
+// it stands at the clock's picture. Null where there is none or the browser cannot play it.
+function filmVideo(app, box) {
+  const about = app.report.film.video;
+  if (!about) return null;
+  const video = el("video", { id: "film-video", playsinline: true, preload: "auto", tabindex: "-1",
+    "aria-label": "The scene in motion" });
+  video.muted = true;
+  if (!video.canPlayType(about.type)) return null;
+  box.append(video);
+  let broken = false;
+  let playing = false;
+  let following = false;  // the clock is being set to the video's time
+  let shown = -1;         // the picture that the video stands at, once it has come
+  const last = about.pictures - 1;
+  const seconds = (t) => (t - about.from) / 1e6;
+  const pictureAt = (t) => clamp(Math.floor((t - about.from) / about.picture), 0, last);
+  const timeOf = (picture) => seconds(about.from + (picture + 0.5) * about.picture);
+  video.addEventListener("error", () => { broken = true; if (playing) app.toggle(); app.go(app.t); });
+  video.addEventListener("seeked", () => {
+    shown = pictureAt(about.from + video.currentTime * 1e6);
+    if (!playing) app.go(app.t);
+  });
+  let loaded = false;
+  function load() {
+    if (loaded) return;
+    loaded = true;
+    blockAddress(about.block).then((address) => { video.src = address; });
+  }
+  function follow(seconds_shown) {
+    if (!playing) return;
+    following = true;
+    app.go(about.from + Math.round(seconds_shown * 1e6));
+    following = false;
+    watch();
+  }
+  function watch() {
+    if (video.requestVideoFrameCallback) video.requestVideoFrameCallback((now, frame) => follow(frame.mediaTime));
+    else requestAnimationFrame(() => follow(video.currentTime));
+  }
+  video.addEventListener("ended", () => {
+    if (!playing) return;
+    app.go(app.report.clock.end);
+    app.toggle();
+  });
+  return {
+    // Whether the video will keep time.
+    start() {
+      if (broken) return false;
+      load();
+      playing = true;
+      shown = -1;
+      video.currentTime = Math.max(0, seconds(app.t));
+      // A minute is enough for a look at the whole, however long it took.
+      video.playbackRate = clamp((last + 1) * about.picture / 60e6, 1, 16);
+      watch();
+      video.play().catch(() => {
+        if (!playing) return;
+        broken = true;
+        app.toggle();
+        app.toggle();
+      });
+      return true;
+    },
+    stop() {
+      playing = false;
+      video.pause();
+    },
+    // Brings the video to this time unless a still is at hand; whether the video is what should be seen.
+    show(t, still_at_hand) {
+      if (broken) return false;
+      if (playing) {
+        if (!following) video.currentTime = Math.max(0, seconds(t));
+        return true;
+      }
+      if (still_at_hand) return false;
+      load();
+      const wanted = pictureAt(t);
+      if (shown === wanted) return true;
+      if (video.readyState === 0) video.addEventListener("loadedmetadata", () => { video.currentTime = timeOf(pictureAt(app.t)); }, { once: true });
+      else video.currentTime = timeOf(wanted);
+      return false;
+    },
+  };
+}
+
+// Outlines and names of things over the picture. Their elements are kept from one moment to the next, so that focus stays.
+function outlineLayer(app, over, unit) {
+  const shapes = new Map();  // name -> elements
+  const path = (shape, dx, dy) => {
+    let d = "", x = dx, y = dy;
+    for (let i = 2; i < shape.length; i += 2) {
+      x += shape[i];
+      y += shape[i + 1];
+      d += (i > 2 ? "L" : "M") + Math.round(x) + " " + Math.round(y);
+    }
     return d + "Z";
   };
-  function objectShape(name, object, binding) {
-    const [x, y] = object.label;
-    const group = thingButton(app, name, binding !== undefined);
-    if (object.outline.length) {
-      const d = path(object.outline);
-      if (binding !== undefined) {
-        group.append(svg("path", { class: "halo", d, "stroke-width": 8 * unit }),
-          svg("path", { class: "outline", d, "stroke-width": 4 * unit }));
-      }
-      group.append(svg("path", { class: "area", d, "stroke-width": 3 * unit }));
-    }
-    group.append(svg("text", { class: "name", x, y, "font-size": 23 * unit, "stroke-width": 6 * unit,
-      text: binding ? binding + " = " + name : name }));
-    return group;
+  function elementsOf(name) {
+    if (shapes.has(name)) return shapes.get(name);
+    const group = thingButton(app, name);
+    const parts = { group, halo: svg("path", { class: "halo", "stroke-width": 8 * unit }),
+      outline: svg("path", { class: "outline", "stroke-width": 4 * unit }),
+      area: svg("path", { class: "area", "stroke-width": 3 * unit }),
+      label: svg("text", { class: "name", "font-size": 23 * unit, "stroke-width": 6 * unit }) };
+    group.append(parts.halo, parts.outline, parts.area, parts.label);
+    shapes.set(name, parts);
+    return parts;
   }
   // Names that would lie on each other: the lower one moves down.
   function separate(names) {
     const placed = [];
     const size = 23 * unit;
-    for (const node of names.sort((a, b) => a.getAttribute("y") - b.getAttribute("y"))) {
-      const half = widthOf(node.textContent, 23) * unit / 2;
-      const x = Number(node.getAttribute("x"));
-      let y = Number(node.getAttribute("y"));
+    for (const name of names.sort((a, b) => a.y - b.y)) {
+      const half = widthOf(name.text, 23) * unit / 2;
+      let y = name.y;
       for (const other of placed) {
-        if (Math.abs(other.x - x) < other.half + half && Math.abs(other.y - y) < size) y = other.y + size;
+        if (Math.abs(other.x - name.x) < other.half + half && Math.abs(other.y - y) < size) y = other.y + size;
       }
-      node.setAttribute("y", y);
-      placed.push({ x, y, half });
+      name.node.setAttribute("y", y);
+      placed.push({ x: name.x, y, half });
     }
   }
-  return app.add({
-    showTime(t) {
-      const still = lastAt(film.stills, t, (s) => s.at) || film.stills[0];
-      showImage(image, still.image);
-      image.alt = "The scene at " + clockText(still.at);
-      const next = film.stills[film.stills.indexOf(still) + 1];
-      if (next) blockAddress(next.image);
-      const bound = boundObjects(app, t);
+  // Things at a time: name -> shape, and how far to move it. What moves is between where it was and will be traced.
+  function placesAt(table, t) {
+    const places = new Map();
+    const entry = lastAt(table.at, t, (one) => one[0]) || table.at[0];
+    if (!entry) return places;
+    const next = table.at[table.at.indexOf(entry) + 1];
+    const part = next && t > entry[0] ? (t - entry[0]) / (next[0] - entry[0]) : 0;
+    const after = new Map();
+    for (let i = 1; next && i < next.length; i += 2) after.set(next[i], table.shapes[next[i + 1]]);
+    for (let i = 1; i < entry.length; i += 2) {
+      const shape = table.shapes[entry[i + 1]];
+      const then = after.get(entry[i]) || shape;
+      places.set(table.names[entry[i]], { shape, dx: (then[0] - shape[0]) * part, dy: (then[1] - shape[1]) * part });
+    }
+    return places;
+  }
+  return {
+    show(table, t, bound) {
+      const places = placesAt(table, t);
+      for (const [name, parts] of shapes) if (!places.has(name)) parts.group.remove();
+      const names = [];
       // Bound things last, so that they lie on top.
-      const names = Object.keys(still.objects).sort((a, b) => bound.has(a) - bound.has(b));
-      over.replaceChildren(...names.map((name) => objectShape(name, still.objects[name], bound.get(name))));
-      separate([...over.querySelectorAll(".name")]);
+      for (const name of [...places.keys()].sort((a, b) => bound.has(a) - bound.has(b))) {
+        const { shape, dx, dy } = places.get(name);
+        const { group, halo, outline, area, label } = elementsOf(name);
+        const is_bound = bound.has(name);
+        const d = shape.length > 2 ? path(shape, dx, dy) : "";
+        for (const part of [halo, outline]) part.setAttribute("d", is_bound ? d : "");
+        area.setAttribute("d", d);
+        group.classList.toggle("bound", is_bound);
+        label.textContent = bound.get(name) ? bound.get(name) + " = " + name : name;
+        label.setAttribute("x", Math.round(shape[0] + dx));
+        names.push({ node: label, text: label.textContent, x: shape[0] + dx, y: shape[1] + dy });
+        // Moving an element in the document would take its focus away.
+        const in_place = group.parentNode === over && group.classList.contains("on-top") === is_bound;
+        group.classList.toggle("on-top", is_bound);
+        if (in_place) continue;
+        if (is_bound) over.append(group); else over.prepend(group);
+      }
+      separate(names);
     },
-    showSelection() {},
-  });
+  };
 }
 
 // What stands for a thing in the picture: a click selects the thing.
 function thingButton(app, name, bound) {
   const id = "thing:" + name;
   const known = app.subject(id) !== null;
-  return svg("g", { class: "object" + (bound ? " bound" : ""), on: { click: () => app.select(id) },
-    role: known ? "button" : null, "aria-label": name });
+  const choose = () => app.select(id);
+  return svg("g", { class: "object" + (bound ? " bound" : ""), role: known ? "button" : null, tabindex: known ? 0 : null,
+    "aria-label": known ? name : null,
+    on: { click: choose, keydown: (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      event.stopPropagation();
+      choose();
+    } } });
 }
 
 // Object -> variable of the selection that it is bound to now; a selected thing is itself, without a variable.

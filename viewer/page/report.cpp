@@ -17,16 +17,21 @@ namespace {
 std::string ContentPolicy() {
   return "default-src 'none'; script-src 'sha256-" + Base64(BytesOfHex(kScriptSha256)) +
          "'; style-src 'sha256-" + Base64(BytesOfHex(kStyleSha256)) +
-         "'; img-src blob: data:; base-uri 'none'; form-action 'none'";
+         "'; img-src blob: data:; media-src blob:; base-uri 'none'; form-action 'none'";
 }
 
-// Each image once, under a name made from its content; gives the names per still.
+// Each image once, under a name made from its content, and the video; gives the names in the order that
+// FilmData asks for.
 std::vector<std::string> AddImages(const ReportFrames& frames, PageBlocks* blocks) {
   std::vector<std::string> names;
-  for (const Still& still : frames.stills) {
-    names.push_back("image-" + ToText(HashOf(still.bytes)).substr(0, 16));
-    blocks->Add("frames", names.back(), frames.mime, still.bytes);
-  }
+  const auto add = [&](const std::string& part, const std::string& mime, const std::string& bytes) {
+    names.push_back((part == "video" ? "video-" : "image-") + ToText(HashOf(bytes)).substr(0, 16));
+    blocks->Add(part, names.back(), mime, bytes);
+  };
+  for (const Still& still : frames.stills) add("frames", frames.mime, still.bytes);
+  for (const FilmView& view : frames.views)
+    for (const Still& still : view.stills) add("frames", frames.mime, still.bytes);
+  if (frames.video) add("video", frames.video->mime, frames.video->bytes);
   return names;
 }
 

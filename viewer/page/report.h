@@ -1,11 +1,14 @@
 // The episode report: one self-contained HTML file with film, story, model graph, time lanes and inspector.
 //
 // The page loads nothing and may load nothing: its content security policy allows its own script and style
-// (by hash) and images it makes itself. Everything shown comes from the run given; pixels come through
-// ReportFrames, so that this folder needs no graphics. Same run, same frames, same options: the same bytes.
+// (by hash), and images and videos it makes itself. Everything shown comes from the run given; pixels come
+// through ReportFrames, so that this folder needs no graphics. Same run, same frames, same options: the same
+// bytes.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,14 +34,45 @@ struct Still {
   Time at;
   std::string bytes;  // of the type ReportFrames::mime; equal images are stored once
   std::vector<StillObject> objects;
+  Time until{};  // nothing moves before this time, so that the image is right up to here; not used if not after
+               // `at`
+};
+
+// Where things are in the pictures of the first camera, at more instants than there are stills.
+struct OutlinesAt {
+  Time at;
+  std::vector<StillObject> objects;
+};
+
+// A further camera.
+struct FilmView {
+  std::string id;     // in the address of the page
+  std::string title;  // on its button
+  std::vector<Still> stills;
+};
+
+// The pictures of the first camera as a video; picture i shows the world at from + i * picture.
+struct FilmVideo {
+  std::string bytes;
+  std::string mime;
+  Time from;
+  Time picture;  // how long each is shown
+  std::int64_t pictures = 0;
+  int width = 0;
+  int height = 0;
 };
 
 struct ReportFrames {
-  int width = 0;
+  int width = 0;  // of stills and outlines
   int height = 0;
   std::string mime;           // "image/webp" or "image/png"
   std::vector<Still> stills;  // in order of time; empty for a report without frames
-  std::string note;           // why there are no frames, or fewer than there could be; one sentence; shown
+  std::string note;           // why there are no frames, or fewer than there could be; shown
+  std::string camera_id{};      // of the first camera; may be empty where there is no other
+  std::string camera_title{};
+  std::optional<FilmVideo> video{};
+  std::vector<OutlinesAt> outlines{};  // in order of time
+  std::vector<FilmView> views{};
 };
 
 struct ReportOptions {

@@ -5,16 +5,22 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "engine/base/text.h"
+#include "viewer/scene/bounds.h"
 
 namespace aerascope {
 namespace {
 
 constexpr std::string_view kFree = "free";
+constexpr std::string_view kAbove = "above";
+constexpr std::string_view kSide = "side";
+constexpr std::string_view kAt = "at:";
 constexpr double kFarthest_m = 1e6;
+constexpr double kDegree_rad = std::numbers::pi / 180;
 
 Camera FreeCamera(const SceneModel& model) {
   mjvCamera free;
@@ -41,6 +47,84 @@ std::optional<std::vector<double>> Numbers(std::string_view text) {
   }
 }
 
+// Into which direction the default camera looks, as the azimuth of a free one.
+double DefaultAzimuth_deg(const SceneModel& model) {
+  const mjModel& mujoco = model.mujoco();
+  if (!model.cameras().empty()) {
+    const int camera = mj_name2id(&mujoco, mjOBJ_CAMERA, model.cameras().front().c_str());
+    // A camera looks along its negative z axis; this is its frame at the initial state.
+    const mjtNum* frame = mujoco.cam_mat0 + 9 * camera;
+    if (std::hypot(frame[2], frame[5]) > 1e-3) return std::atan2(-frame[5], -frame[2]) / kDegree_rad;
+  }
+  return FreeCamera(model).azimuth_deg;
+}
+
+// How far away the camera must be for the box to fill a picture that is a little wider than high.
+double FittingDistance_m(const SceneModel& model, const Camera& camera, const Bounds& bounds) {
+  constexpr double kAspect = 1.6;
+  constexpr double kMargin = 1.06;
+  const double azimuth_rad = camera.azimuth_deg * kDegree_rad;
+  const double elevation_rad = camera.elevation_deg * kDegree_rad;
+  const std::array<double, 3> forward{std::cos(elevation_rad) * std::cos(azimuth_rad),
+                                      std::cos(elevation_rad) * std::sin(azimuth_rad),
+                                      std::sin(elevation_rad)};
+  const std::array<double, 3> right{std::sin(azimuth_rad), -std::cos(azimuth_rad), 0};
+  const std::array<double, 3> up{-std::sin(elevation_rad) * std::cos(azimuth_rad),
+                                 -std::sin(elevation_rad) * std::sin(azimuth_rad), std::cos(elevation_rad)};
+  const double slope = std::tan(model.mujoco().vis.global.fovy * kDegree_rad / 2);
+  double distance_m = 0.01;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    double along_m = 0, across_m = 0, upwards_m = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double half_m =
+          (bounds.high_m[axis] - bounds.low_m[axis]) / 2 * ((corner >> axis & 1u) != 0 ? 1 : -1);
+      along_m += half_m * forward[axis];
+      across_m += half_m * right[axis];
+      upwards_m += half_m * up[axis];
+    }
+    const double height_m = std::max(std::abs(upwards_m), std::abs(across_m) / kAspect);
+    distance_m = std::max(distance_m, kMargin * height_m / slope - along_m);
+  }
+  return distance_m;
+}
+
+Camera Above(const SceneModel& model) {
+  Camera camera = FreeCamera(model);
+  camera.azimuth_deg = DefaultAzimuth_deg(model);
+  camera.elevation_deg = -89;
+  if (const auto bounds = BoundsAtFirst(model)) {
+    camera.look_at_m = bounds->Middle();
+    camera.distance_m = FittingDistance_m(model, camera, *bounds);
+  }
+  return camera;
+}
+
+// From the right of who looks through the default camera.
+Camera Side(const SceneModel& model) {
+  Camera camera = FreeCamera(model);
+  camera.azimuth_deg = DefaultAzimuth_deg(model) + 90;
+  camera.elevation_deg = -12;
+  if (const auto bounds = BoundsAtFirst(model)) {
+    camera.look_at_m = bounds->Middle();
+    camera.distance_m = FittingDistance_m(model, camera, *bounds);
+  }
+  return camera;
+}
+
+Camera At(const SceneModel& model, int entity) {
+  Camera camera = FreeCamera(model);
+  camera.follow = model.entities()[static_cast<std::size_t>(entity)].entity;
+  camera.azimuth_deg = DefaultAzimuth_deg(model) + 30;
+  camera.elevation_deg = -15;
+  // Room around it for what it meets.
+  constexpr double kRoom = 1.3;
+  if (const auto bounds = BoundsAtFirst(model, entity)) {
+    camera.look_at_m = bounds->Middle();
+    camera.distance_m = kRoom * FittingDistance_m(model, camera, *bounds);
+  }
+  return camera;
+}
+
 }  // namespace
 
 Camera DefaultCamera(const SceneModel& model) {
@@ -58,6 +142,17 @@ Result<Camera> ParseCamera(const SceneModel& model, std::string_view text) {
     camera.name = text;
     return camera;
   }
+  if (text == kAbove) return Above(model);
+  if (text == kSide) return Side(model);
+  if (text.starts_with(kAt)) {
+    const std::string_view name = text.substr(kAt.size());
+    const int entity = model.FindEntity(name);
+    if (entity >= 0) return At(model, entity);
+    std::vector<std::string> names;
+    for (const SceneEntity& one : model.entities()) names.push_back(one.entity);
+    return Error{"the scene has no entity named " + Printable(name) + " that a camera could follow; it has " +
+                 (names.empty() ? "none" : Join(names, ", "))};
+  }
   Camera camera = FreeCamera(model);
   if (text == kFree) return camera;
   if (text.starts_with("free:")) {
@@ -74,11 +169,47 @@ Result<Camera> ParseCamera(const SceneModel& model, std::string_view text) {
     return camera;
   }
   return Error{"the scene has no camera named " + Printable(text) + "; it has " +
-               (known.empty() ? "" : Join(known, ", ") + " and ") + "free"};
+               (known.empty() ? "" : Join(known, ", ") + ", ") + "above, side, at:ENTITY and free"};
+}
+
+Result<std::vector<Camera>> ParseCameras(const SceneModel& model, std::string_view text) {
+  // Numbers belong to the free camera in front of them.
+  std::vector<std::string> words;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view word = rest.substr(0, rest.find(','));
+    const bool number = !words.empty() && words.back().starts_with("free:") && Numbers(word);
+    number ? words.back().append(",").append(word) : words.emplace_back(word);
+    if (word.size() + 1 == rest.size()) words.emplace_back();
+    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+  }
+  if (words.empty()) words.emplace_back();
+  std::vector<Camera> cameras;
+  for (const std::string& word : words) {
+    if (word.empty())
+      return Error{"the cameras " + Printable(text) +
+                   " are not understood: expected names with a comma between"};
+    Result<Camera> camera = ParseCamera(model, word);
+    if (!camera) return camera.error();
+    if (std::find(cameras.begin(), cameras.end(), *camera) != cameras.end())
+      return Error{"the camera " + Printable(word) + " is named twice"};
+    cameras.push_back(*std::move(camera));
+  }
+  return cameras;
+}
+
+std::string TitleOf(const SceneModel& model, const Camera& camera) {
+  if (!camera.name.empty()) return camera.name;
+  if (!camera.follow.empty()) return "at " + camera.follow;
+  for (const std::string_view word : {kAbove, kSide, kFree}) {
+    const Result<Camera> known = ParseCamera(model, word);
+    if (known && *known == camera) return std::string(word);
+  }
+  return ToText(camera);
 }
 
 std::string ToText(const Camera& camera) {
   if (!camera.name.empty()) return camera.name;
+  if (!camera.follow.empty()) return std::string(kAt) + camera.follow;
   std::vector<std::string> numbers;
   for (const double number : {camera.azimuth_deg, camera.elevation_deg, camera.distance_m,
                               camera.look_at_m[0], camera.look_at_m[1], camera.look_at_m[2]}) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/base/text.h"
+#include "viewer/scene/bounds.h"
 #include "viewer/scene/mujoco_guard.h"
 
 namespace aerascope {
@@ -55,16 +56,31 @@ Status CheckState(const mjModel& model, const WorldStateRecorded& state) {
   return CheckCount("controls (ctrl)", static_cast<std::size_t>(model.nu), state.ctrl);
 }
 
-Result<mjvCamera> MujocoCamera(const SceneModel& model, const Camera& camera) {
+Status CheckCamera(const SceneModel& model, const Camera& camera) {
+  if (!camera.name.empty()) {
+    const std::vector<std::string>& known = model.cameras();
+    if (std::find(known.begin(), known.end(), camera.name) != known.end()) return Ok();
+    return ParseCamera(model, camera.name).error();
+  }
+  if (camera.follow.empty() || model.FindEntity(camera.follow) >= 0) return Ok();
+  return Error{"the scene has no entity named " + Printable(camera.follow) + " that a camera could follow"};
+}
+
+// With the places of the moment: a camera may follow what moves.
+mjvCamera MujocoCamera(const SceneModel& model, const mjData& data, const Camera& camera) {
   mjvCamera result;
   mjv_defaultCamera(&result);
   if (!camera.name.empty()) {
-    if (Result<Camera> known = ParseCamera(model, camera.name); !known) return known.error();
     result.type = mjCAMERA_FIXED;
     result.fixedcamid = mj_name2id(&model.mujoco(), mjOBJ_CAMERA, camera.name.c_str());
     return result;
   }
-  std::copy(camera.look_at_m.begin(), camera.look_at_m.end(), result.lookat);
+  std::array<double, 3> look_at_m = camera.look_at_m;
+  if (!camera.follow.empty()) {
+    if (const auto bounds = BoundsOfEntity(model, data, model.FindEntity(camera.follow)))
+      look_at_m = bounds->Middle();
+  }
+  std::copy(look_at_m.begin(), look_at_m.end(), result.lookat);
   result.distance = camera.distance_m;
   result.azimuth = camera.azimuth_deg;
   result.elevation = camera.elevation_deg;
@@ -118,15 +134,15 @@ Status Scene::Show(const WorldStateRecorded& state, const Camera& camera) {
     const mjModel& model = content_->model->mujoco();
     mjData& data = *content_->data;
     if (Status status = CheckState(model, state); !status) return status;
-    Result<mjvCamera> mujoco_camera = MujocoCamera(*content_->model, camera);
-    if (!mujoco_camera) return mujoco_camera.error();
+    if (Status known = CheckCamera(*content_->model, camera); !known) return known;
     std::copy(state.qpos.begin(), state.qpos.end(), data.qpos);
     std::copy(state.qvel.begin(), state.qvel.end(), data.qvel);
     std::copy(state.ctrl.begin(), state.ctrl.end(), data.ctrl);
     ComputePlaces(model, data);
+    mjvCamera mujoco_camera = MujocoCamera(*content_->model, data, camera);
     mjvOption options;
     mjv_defaultOption(&options);
-    mjv_updateScene(&model, &data, &options, nullptr, &*mujoco_camera, mjCAT_ALL, &content_->scene);
+    mjv_updateScene(&model, &data, &options, nullptr, &mujoco_camera, mjCAT_ALL, &content_->scene);
     content_->camera = camera;
     return Ok();
   });

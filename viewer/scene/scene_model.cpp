@@ -172,6 +172,12 @@ int SceneModel::EntityOfGeom(int geom) const {
   return entity_of_geom_[static_cast<std::size_t>(geom)];
 }
 
+int SceneModel::FindEntity(std::string_view entity) const {
+  for (std::size_t i = 0; i < entities_.size(); ++i)
+    if (entities_[i].entity == entity) return static_cast<int>(i);
+  return -1;
+}
+
 std::string SceneModel::GeomName(int geom) const {
   const char* name = mj_id2name(model_, mjOBJ_GEOM, geom);
   if (name != nullptr && *name != '\0') return name;

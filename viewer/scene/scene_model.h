@@ -54,6 +54,8 @@ class SceneModel {
 
   // The position in entities() of the entity a geom of the model belongs to; -1 for scenery.
   int EntityOfGeom(int geom) const;
+  // The position in entities() of an entity; -1 if there is none of that name.
+  int FindEntity(std::string_view entity) const;
   // The geom's name, or "geom 3 of hand" where it has none.
   std::string GeomName(int geom) const;
 
