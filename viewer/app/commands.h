@@ -29,6 +29,7 @@ void AddWhyCommand(CLI::App& app, Chosen* chosen);
 void AddDiffCommand(CLI::App& app, Chosen* chosen);
 void AddExportCommand(CLI::App& app, Chosen* chosen);
 void AddSnapshotCommand(CLI::App& app, Chosen* chosen);
+void AddViewCommand(CLI::App& app, Chosen* chosen);
 void AddVerifyCommand(CLI::App& app, Chosen* chosen);
 void AddDoctorCommand(CLI::App& app, Chosen* chosen);
 

@@ -65,6 +65,7 @@ int Main(int argc, char** argv) {
   AddDiffCommand(app, &chosen);
   AddExportCommand(app, &chosen);
   AddSnapshotCommand(app, &chosen);
+  AddViewCommand(app, &chosen);
   AddVerifyCommand(app, &chosen);
   AddDoctorCommand(app, &chosen);
   try {

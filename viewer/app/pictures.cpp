@@ -64,6 +64,24 @@ Result<std::string> EpisodePictures::DrawPng(Time at, const Camera& camera, Pict
   return EncodePng(*image);
 }
 
+Result<SheetFrame> EpisodePictures::DrawFrame(Time at, const Camera& camera, PictureSize size) {
+  auto png = DrawPng(at, camera, size);
+  if (!png) return png.error();
+  auto objects = Trace(at, camera, size);
+  if (!objects) return objects.error();
+  SheetFrame frame;
+  frame.at = at;
+  frame.png = std::move(*png);
+  for (const Traced& object : *objects) {
+    SheetObject entry;
+    entry.name = object.name;
+    for (const auto& [x, y] : object.outline) entry.outline.push_back({x, y});
+    entry.label = {object.label.first, object.label.second};
+    frame.objects.push_back(std::move(entry));
+  }
+  return frame;
+}
+
 Result<SheetFrames> EpisodePictures::ForSheet(const OnPicture& on_picture) {
   SheetFrames sheet;
   if (!can_draw()) {
@@ -74,21 +92,9 @@ Result<SheetFrames> EpisodePictures::ForSheet(const OnPicture& on_picture) {
   const Camera camera = DefaultCamera(model());
   const std::vector<Time> moments = KeyMoments(*run_, kSheetFrames);
   for (const Time at : moments) {
-    auto png = DrawPng(at, camera, size);
-    if (!png) return png.error();
-    auto objects = Trace(at, camera, size);
-    if (!objects) return objects.error();
-    SheetFrame frame;
-    frame.at = at;
-    frame.png = std::move(*png);
-    for (const Traced& object : *objects) {
-      SheetObject entry;
-      entry.name = object.name;
-      for (const auto& [x, y] : object.outline) entry.outline.push_back({x, y});
-      entry.label = {object.label.first, object.label.second};
-      frame.objects.push_back(std::move(entry));
-    }
-    sheet.frames.push_back(std::move(frame));
+    auto frame = DrawFrame(at, camera, size);
+    if (!frame) return frame.error();
+    sheet.frames.push_back(std::move(*frame));
     if (on_picture) on_picture(sheet.frames.size(), moments.size());
   }
   return sheet;

@@ -50,6 +50,8 @@ class EpisodePictures {
   // The recorded states of the world.
   const StateTimeline& timeline() const { return timeline_; }
 
+  // One picture with the outlines of what is in it.
+  Result<SheetFrame> DrawFrame(Time at, const Camera& camera, PictureSize size);
   // Stills of the sheet's key moments.
   Result<SheetFrames> ForSheet(const OnPicture& on_picture = {});
 

@@ -122,17 +122,22 @@ class Drawer {
     if (!Known(band.cards[edge.from]) || !Known(band.cards[edge.to])) return;
     const EdgePath& path = form.edges[index];
     if (edge.kind == EdgeKind::kDerived) return DrawDerivation(band, form, index, open, top);
-    svg_.Path(PathData(path, top), "d-link");
+    const bool veto = edge.kind == EdgeKind::kEnables && IsVeto(band.cards[edge.from].model);
+    svg_.Path(PathData(path, top), veto ? "d-link d-veto" : "d-link");
     if (edge.kind != EdgeKind::kEnables) return;
     const Point tip = Moved(path.points.back(), top);
-    if (band.cards[edge.to].kind != CardKind::kRequirement) DrawArrowHead(svg_, tip);
-    const ModelRecord* requirement = final_.Find(band.cards[edge.from].model);
-    const bool prevents = requirement != nullptr && requirement->state != ModelState::kDeleted &&
-                          KindOf(requirement->model) == ModelKind::kStrongRequirement;
-    if (prevents) {
-      const Point mark = Moved(path.mark, top);
-      svg_.Text(mark.x, mark.y - 4, "prevents", {"d-fail", 10, TextAnchor::kMiddle});
+    // What allows ends in an arrow, what forbids in a bar.
+    if (veto) {
+      DrawStop(svg_, tip);
+    } else if (band.cards[edge.to].kind != CardKind::kRequirement) {
+      DrawArrowHead(svg_, tip);
     }
+  }
+
+  // Whether the model is a requirement under which what it speaks about will not work.
+  bool IsVeto(ModelId id) const {
+    const ModelRecord* requirement = final_.Find(id);
+    return requirement != nullptr && KindOf(requirement->model) == ModelKind::kStrongRequirement;
   }
 
   void DrawDerivation(const TriadBand& band, const BandForm& form, std::size_t index, bool open, int top) {
@@ -358,9 +363,16 @@ class Drawer {
 
   void DrawRequirement(ModelId id, const Rect& square, bool open) {
     const ModelRecord* record = now_.Find(id);
-    DrawRing(svg_, square, record->evidence.rate());
+    const bool veto = IsVeto(id);
+    DrawRing(svg_, square, record->evidence.rate(), veto);
     const Point centre = square.centre();
-    if (open) svg_.Text(centre.x, square.bottom() + 14, IdText(id), {"d-id", 11, TextAnchor::kMiddle});
+    if (veto) {
+      // Where there is no room under the ring, the word stands left of it.
+      open ? svg_.Text(centre.x, square.bottom() + 14, "never", {"d-b d-fail", 11, TextAnchor::kMiddle})
+           : svg_.Text(square.x - 8, centre.y - 5, "never", {"d-b d-fail", 10, TextAnchor::kEnd});
+    } else if (open) {
+      svg_.Text(centre.x, square.bottom() + 14, IdText(id), {"d-id", 11, TextAnchor::kMiddle});
+    }
     if (record->state == ModelState::kActive) return;
     DrawCross(svg_, {square.right() - 2, square.y + 2}, 4);
     const std::string word = record->state == ModelState::kDeleted ? "given up" : "paused";

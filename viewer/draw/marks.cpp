@@ -50,21 +50,30 @@ void DrawArrowHead(Svg& svg, Point tip) {
   svg.Path("M" + At(tip.x, tip.y) + "l-8 -4v8z", "d-arrow");
 }
 
-void DrawRing(Svg& svg, const Rect& square, double share) {
+void DrawRing(Svg& svg, const Rect& square, double share, bool veto) {
   const Point centre = square.centre();
   const int radius = square.width / 2 - 2;
   DrawDot(svg, centre, radius, "d-ring");
   const double part = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0;
+  const std::string arc = veto ? "d-arc d-veto" : "d-arc";
   if (part > 0.995) {
-    DrawDot(svg, centre, radius, "d-arc");
+    DrawDot(svg, centre, radius, arc);
   } else if (part > 0.005) {
     const std::string size = SvgNumber(radius);
     svg.Path("M" + OnCircle(centre, radius, 0) + "A" + size + " " + size + " 0 " + (part > 0.5 ? "1" : "0") +
                  " 1 " + OnCircle(centre, radius, part),
-             "d-arc");
+             arc);
   }
   const double size = radius >= 15 ? 12 : 10;
-  svg.Text(centre.x, centre.y + size * 0.36, RingText(share), {"d-b", size, TextAnchor::kMiddle});
+  svg.Text(centre.x, centre.y + size * 0.36, RingText(share),
+           {veto ? "d-b d-fail" : "d-b", size, TextAnchor::kMiddle});
+  if (!veto) return;
+  for (const double turn : {0.125, 0.625})
+    svg.Path("M" + OnCircle(centre, radius - 1, turn) + "L" + OnCircle(centre, radius + 7, turn), "d-bars");
+}
+
+void DrawStop(Svg& svg, Point tip) {
+  svg.Path("M" + At(tip.x - 2, tip.y - 6) + "v12", "d-bars");
 }
 
 void DrawTag(Svg& svg, const Rect& r, TagShape shape, std::string_view classes) {

@@ -2,7 +2,7 @@
 //
 // Star: made by analogy. Filled circle: learned. Ring with arc and number: confidence. Check and cross: came
 // true or reached, and not. Tag pointing left: goal; tag pointing right: prediction. Bar: command, dashed the
-// teacher's.
+// teacher's. Barred ring and barred end of a link: a veto.
 #pragma once
 
 #include "viewer/draw/svg.h"
@@ -16,8 +16,11 @@ void DrawCheck(Svg& svg, Point centre, int radius);
 void DrawCross(Svg& svg, Point centre, int radius);
 // An arrow head whose tip is here, pointing right.
 void DrawArrowHead(Svg& svg, Point tip);
-// A confidence as a ring in this square, with its number inside.
-void DrawRing(Svg& svg, const Rect& square, double share);
+// A confidence as a ring in this square, with its number inside; that of a veto is barred and in the colour of
+// failure.
+void DrawRing(Svg& svg, const Rect& square, double share, bool veto = false);
+// The end of a link that forbids what it leads to: a bar across the line, which ends here from the left.
+void DrawStop(Svg& svg, Point tip);
 
 enum class TagShape { kBar, kPointsLeft, kPointsRight };
 void DrawTag(Svg& svg, const Rect& rect, TagShape shape, std::string_view classes);

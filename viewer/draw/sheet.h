@@ -10,6 +10,7 @@
 #include "engine/base/result.h"
 #include "engine/query/run.h"
 #include "viewer/draw/key_moments.h"
+#include "viewer/draw/still_drawing.h"
 
 namespace aerascope {
 
@@ -18,24 +19,6 @@ inline constexpr int kSheetWidth = 1600;  // pixels at scale 1
 // The shape of a still on the sheet; others are cut at the sides or above and below.
 inline constexpr int kSheetFrameWidth = 490;
 inline constexpr int kSheetFrameHeight = 276;
-
-struct SheetPoint {
-  double x = 0;
-  double y = 0;
-};
-
-// An object in a still, in pixels of the still. Outlined where the caption names it.
-struct SheetObject {
-  std::string name;
-  std::vector<SheetPoint> outline;  // a closed polygon; empty: no outline
-  SheetPoint label;                 // the middle of its name's base line
-};
-
-struct SheetFrame {
-  Time at;
-  std::string png;  // PNG bytes
-  std::vector<SheetObject> objects;
-};
 
 struct SheetFrames {
   std::vector<SheetFrame> frames;  // in order of time; best at KeyMoments(run, kSheetFrames)

@@ -74,6 +74,9 @@ std::string DrawingStyle(const Theme& t) {
          ".d-bar{fill:" + t.line + ";stroke:" + t.edge + "}" +                                  //
          ".d-teacher{fill:" + t.surface + ";stroke:" + t.edge + ";stroke-dasharray:3 2}" +      //
          ".d-failed{fill:" + t.fail_soft + ";stroke:" + t.fail + "}" +                          //
+         ".d-found{fill:" + t.sunk + ";stroke:" + t.line + "}" +                                //
+         ".d-veto{stroke:" + t.fail + "}" +                                                     //
+         ".d-bars{fill:none;stroke:" + t.fail + ";stroke-width:2.5;stroke-linecap:round}" +     //
          ".d-sunk{fill:" + t.sunk + "}.d-page{fill:" + t.surface + "}";
 }
 
