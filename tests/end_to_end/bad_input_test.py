@@ -143,7 +143,7 @@ class BadCommandLine(EndToEndTest):
                 self.assert_refused("trials", SCRIPTED, f"--first-seed={seed}", says=["--first-seed"])
 
     def test_help_is_there_for_every_command(self):
-        for command in ("demo", "run", "trials", "report", "frame", "kb", "events", "why", "diff", "export", "snapshot",
+        for command in ("demo", "run", "trials", "report", "frame", "view", "kb", "events", "why", "diff", "export", "snapshot",
                         "verify", "doctor"):
             with self.subTest(command=command):
                 self.assertIn("--help", self.run_program(command, "--help").out)
@@ -151,7 +151,7 @@ class BadCommandLine(EndToEndTest):
 
 class BadEpisode(EndToEndTest):
     COMMANDS = [["kb"], ["events"], ["verify"], ["why", "mdl_1"], ["report", "-o", "r.html", "--png", "r.png"],
-                ["frame", "-o", "f.png"], ["export", "--format", "dot", "-o", "x.dot"],
+                ["frame", "-o", "f.png"], ["view", "--what", "lanes", "-o", "v.svg"], ["export", "--format", "dot", "-o", "x.dot"],
                 ["snapshot", "test", "k.snapshot"], ["snapshot", "accept", "k.snapshot"]]
 
     def refused_everywhere(self, says):
@@ -227,6 +227,7 @@ class BadOutput(EndToEndTest):
         return [["run", SCRIPTED, "-o", where], ["report", scripted_episode(), "--no-frames", "-o", where],
                 ["report", scripted_episode(), "--no-frames", "--png", where],
                 ["frame", demo_episode(), "--size", "64x48", "-o", where],
+                ["view", scripted_episode(), "--what", "lanes", "-o", where],
                 ["export", scripted_episode(), "--format", "json", "-o", where],
                 ["diff", scripted_episode(), scripted_episode(), "-o", where]]
 

@@ -200,6 +200,31 @@ class Report(EndToEndTest):
         self.assertEqual((film["width"], film["height"]), (320, 180))
         self.assertGreaterEqual(len(film["stills"]), 16)
 
+    def test_it_has_a_video_and_several_cameras(self):
+        if not draws():
+            self.skipTest("no EGL: nothing can be drawn on this machine")
+        self.run_program("report", demo_episode(), "-o", "r.html", *CHEAP_FILM, "--video-fps", "4")
+        html = (self.folder / "r.html").read_text()
+        film = packed_data(html)["film"]
+        self.assertEqual((film["video"]["pictures"], film["video"]["picture"]), (64, 250_000))
+        self.assertEqual([view["id"] for view in film["views"]], ["side", "above", "at:h"])
+        self.assertIn("media-src blob:", html)
+        for view in film["views"]:
+            self.assertEqual(len(view["stills"]), 16)
+        # Everything that is an entity with a body can be outlined, the hand too.
+        self.assertEqual(sorted(film["outlines"]["names"]), ["c1", "c2", "cyl", "h", "s1", "s2"])
+
+    def test_video_and_cameras_can_be_chosen(self):
+        if not draws():
+            self.skipTest("no EGL: nothing can be drawn on this machine")
+        self.run_program("report", demo_episode(), "-o", "r.html", *CHEAP_FILM, "--no-video", "--cameras", "close,above")
+        film = packed_data((self.folder / "r.html").read_text())["film"]
+        self.assertNotIn("video", film)
+        self.assertEqual((film["camera"]["id"], [view["id"] for view in film["views"]]), ("close", ["above"]))
+        for wrong, says in ((["--video-fps", "30"], "--video-fps"), (["--cameras", "film,flm"], "flm"),
+                            (["--cameras", "film,film"], "twice"), (["--cameras", "at:moon"], "moon")):
+            self.assert_refused("report", demo_episode(), "-o", "r.html", *wrong, says=[says])
+
     def test_a_scripted_world_has_a_report_without_a_film_that_says_why(self):
         outcome = self.run_program("report", scripted_episode(), "-o", "r.html", "--png", "r.png")
         self.assertIn("no scene", outcome.err)
@@ -209,6 +234,37 @@ class Report(EndToEndTest):
 
     def test_nothing_to_write_is_refused(self):
         self.assert_refused("report", scripted_episode(), says=["-o FILE.html", "--png"])
+
+
+class View(EndToEndTest):
+    def view(self, name, *more):
+        self.run_program("view", demo_episode(), "-o", name, *more)
+        return (self.folder / name).read_bytes()
+
+    def test_the_papers_figure_three_is_one_command(self):
+        figure = self.view("figure3.svg", "--what", "analogy").decode()
+        for words in ("grab_type_2 something large", "ψ = 3/4 = 0.75", ">pruned<", "s1 shape sphere"):
+            self.assertIn(words, figure)
+        self.assertTrue(figure == self.view("again.svg", "--what", "analogy").decode())
+        width, height = png_size(self.view("figure3.png", "--what", "analogy", "--scale", "1", "--dark"))
+        self.assertEqual((f'width="{width}"' in figure, f'height="{height}"' in figure), (True, True))
+
+    def test_every_view_is_drawn(self):
+        of = {"why": ["--of", "mdl_204"], "led-to": ["--of", "#1"]}
+        for what in ("graph", "analogy", "why", "led-to", "curves", "lanes", "goals"):
+            with self.subTest(what=what):
+                self.assertIn(b"<svg", self.view("v.svg", "--what", what, *of.get(what, [])))
+        if draws():
+            self.assertIn(b"data:image/png", self.view("v.svg", "--what", "moment", "--at", "9s"))
+
+    def test_what_cannot_be_drawn_is_refused(self):
+        for more, says in ((["--what", "graf"], "graf"), (["--what", "why"], "--of"),
+                           (["--what", "graph", "--of", "mdl_99999"], "mdl_99999"),
+                           (["--what", "graph", "--of", "#3"], "#3"), (["--what", "analogy", "--of", "mdl_15"], "mdl_15"),
+                           (["--what", "graph", "--at", "99s"], "99s"), (["--what", "lanes", "--scale", "0"], "--scale")):
+            self.assert_refused("view", demo_episode(), "-o", "v.svg", *more, says=[says])
+        self.assert_refused("view", demo_episode(), "-o", "v.pdf", "--what", "lanes", says=["v.pdf", ".svg", ".png"])
+        self.assert_refused("view", scripted_episode(), "-o", "v.svg", "--what", "moment", says=["no scene"])
 
 
 class Doctor(EndToEndTest):

@@ -120,17 +120,22 @@ class FilmMaker {
     const WebpOptions packing{.quality = times.size() > kManyStills ? 70.0F : 80.0F};
     std::vector<Still> stills;
     std::future<Result<std::string>> packed;
+    std::size_t packing_for = 0;
     const auto collect = [&]() -> Status {
       if (!packed.valid()) return Ok();
       auto bytes = packed.get();
       if (!bytes) return bytes.error();
-      stills[stills.size() - 1].bytes = std::move(*bytes);
+      for (std::size_t i = packing_for; i < stills.size(); ++i) stills[i].bytes = *bytes;
       return Ok();
     };
     for (const Time at : times) {
       Tick();
-      // Nothing moved since the last still: that one holds on.
-      if (!stills.empty() && at < stills.back().until && !further) continue;
+      // Nothing moved since the last still: the same picture, which the page holds once.
+      if (!stills.empty() && at < stills.back().until) {
+        stills.push_back(stills.back());
+        stills.back().at = at;
+        continue;
+      }
       auto image = pictures_.Draw(at, camera, size, kStillQuality);
       if (!image) return image.error();
       if (Status done = collect(); !done) return done.error();
@@ -142,6 +147,7 @@ class FilmMaker {
         if (!objects) return objects.error();
         still.objects = std::move(*objects);
       }
+      packing_for = stills.size();
       stills.push_back(std::move(still));
       packed = std::async(std::launch::async,
                           [picture = std::move(*image), packing] { return EncodeWebp(picture, packing); });

@@ -126,14 +126,26 @@ class Figure {
   void Heading() {
     svg_.Text(kMargin, 40, FitText(Title(), kWidth - 2 * kMargin, 18, TextWeight::kBold), {"d-b", 18});
     std::string why = "At " + SecondsText(event_.time);
-    const EventId wanted = run_.CreationOf(compared_.goal);
-    const auto* goal = run_.FindBody<GoalSet>(wanted);
-    const auto* drive = run_.FindBody<DriveInjected>(wanted);
-    if (goal != nullptr) why += ", because it wanted " + FactText(knowledge_, goal->target);
-    if (drive != nullptr) why += ", because it wanted " + FactText(knowledge_, drive->target);
+    if (const Fact* wanted = Wanted()) why += ", because it wanted " + FactText(knowledge_, *wanted);
     why += ": what it knew, condition by condition, beside what there was.";
     svg_.Text(kMargin, 64, FitText(why, kWidth - 2 * kMargin, 13), {"d-2", 13});
     svg_.Line({kMargin, 82}, {kWidth - kMargin, 82}, "d-line");
+  }
+
+  // What the comparison's goal is for: the nearest goal above it that speaks of the world, not of conditions.
+  const Fact* Wanted() const {
+    const Fact* wanted = nullptr;
+    GoalId goal = compared_.goal;
+    for (int depth = 0; depth < 100 && goal.valid(); ++depth) {
+      const EventId set = run_.CreationOf(goal);
+      if (const auto* drive = run_.FindBody<DriveInjected>(set)) return &drive->target;
+      const auto* sub_goal = run_.FindBody<GoalSet>(set);
+      if (sub_goal == nullptr) break;
+      wanted = &sub_goal->target;
+      if (IsValue(wanted->payload)) break;
+      goal = sub_goal->super_goal;
+    }
+    return wanted;
   }
 
   void ColumnHeads() {

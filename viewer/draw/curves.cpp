@@ -37,8 +37,8 @@ class Curve {
     }
     if (history_.steps.empty()) return;
     DrawSteps();
-    DrawSigns();
     DrawEnd();
+    DrawSigns();
   }
 
  private:
@@ -72,7 +72,8 @@ class Curve {
     const std::vector<TextRun> words = {{value, "d-b"}, {why, "d-2"}};
     // Left of its sign where there is room, else under it.
     const bool left = start.x - width > area_.x + 40;
-    if (left) labels_.push_back({start.x - 12 - width, start.y - 14, width, 14});
+    taken_.push_back(left ? Rect{start.x - 12 - width, start.y - 14, width, 14}
+                          : Rect{start.x, start.y + 4, width, 14});
     if (left) {
       svg_.Text(start.x - 12, start.y - 4, words, {"", 12, TextAnchor::kEnd});
     } else if (history_.steps.size() > 1 || first.evidence.rate() < 0.995) {
@@ -86,7 +87,8 @@ class Curve {
     }
   }
 
-  // The sign of a step, and its reason if there is room for it: over the curve, else left of the sign.
+  // The sign of a step, and its reason where there is room for it: over the curve, left of the sign, or under
+  // it. Reasons without room are left out; the report has all.
   void DrawStep(std::size_t index) {
     const ConfidenceStep& step = history_.steps[index];
     const Point point = At(step);
@@ -96,34 +98,53 @@ class Curve {
     } else {
       DrawDot(svg_, point, 4, "d-dot");
     }
-    if (step.reason.empty()) return;
-    const int width = TextWidth(step.reason, 11);
-    const int over_x = std::min(point.x + 2, area_.right() - width);
-    const int over_y = point.y - 10;
-    const bool taken_by_curve = bad || over_x < point.x - 24;
-    if (!taken_by_curve && Label({over_x, over_y - 10, width, 12}, step.reason, bad)) return;
-    // There the curve comes from above or below, if it does not run level.
-    const bool level = At(history_.steps[index - 1]).y == point.y;
-    if (level || point.x - 10 - width < area_.x + 40) return;
-    Label({point.x - 10 - width, point.y - 6, width, 12}, step.reason, bad);
+    // The end says of itself that it is one.
+    const bool paused = !step.success && step.state == ModelState::kPhasedOut;
+    const std::string reason = paused ? "paused" : step.state == ModelState::kDeleted ? "" : step.reason;
+    if (reason.empty()) return;
+    const int width = TextWidth(reason, 11);
+    const int right_most = scale_.time.right() - width;
+    const Rect over{std::min(point.x + 2, right_most), point.y - 20, width, 12};
+    const Rect left{point.x - 10 - width, point.y - 6, width, 12};
+    const Rect under{std::min(point.x + 2, right_most), point.y + 8, width, 12};
+    const std::vector<Rect> places = bad ? std::vector<Rect>{left, under} : std::vector<Rect>{over, left};
+    for (const Rect& place : places) {
+      if (!Free(place, index)) continue;
+      taken_.push_back({place.x - 4, place.y, width + 8, place.height});
+      svg_.Text(place.x, place.y + 10, reason, {bad ? "d-fail" : "d-2", 11});
+      return;
+    }
   }
 
-  // Writes into the box unless it meets the box of another label; only the last few can be near.
-  bool Label(const Rect& box, const std::string& text, bool bad) {
-    constexpr std::size_t kNear = 8;
-    const std::size_t first = labels_.size() > kNear ? labels_.size() - kNear : 0;
-    for (std::size_t i = first; i < labels_.size(); ++i) {
-      if (Overlap(labels_[i], box)) return false;
-    }
-    labels_.push_back({box.x - 4, box.y, box.width + 8, box.height});
-    svg_.Text(box.x, box.y + 10, text, {bad ? "d-fail" : "d-2", 11});
-    return true;
+  // Whether a label of step `index` would lie on no other text, sign or piece of the curve.
+  bool Free(const Rect& box, std::size_t index) const {
+    if (box.x < area_.x + 40) return false;
+    if (std::any_of(taken_.begin(), taken_.end(), [&](const Rect& other) { return Overlap(other, box); }))
+      return false;
+    for (std::size_t i = index; i > 0 && At(history_.steps[i]).x >= box.x; --i)
+      if (CurveMeets(box, i)) return false;
+    for (std::size_t i = index + 1; i < history_.steps.size() && At(history_.steps[i - 1]).x <= box.right();
+         ++i)
+      if (CurveMeets(box, i)) return false;
+    const Point last = At(history_.steps.back());
+    return !(last.x <= box.right() && Overlap({last.x, last.y - 2, scale_.time.right() - last.x, 4}, box));
+  }
+
+  // The curve from the step before this one to it, and its sign.
+  bool CurveMeets(const Rect& box, std::size_t index) const {
+    const Point from = At(history_.steps[index - 1]);
+    const Point to = At(history_.steps[index]);
+    const int top = std::min(from.y, to.y);
+    return Overlap({from.x, from.y - 2, to.x - from.x, 4}, box) ||
+           Overlap({to.x - 2, top, 4, std::max(from.y, to.y) - top}, box) ||
+           Overlap({to.x - 6, to.y - 6, 12, 12}, box);
   }
 
   void DrawEnd() {
     const ConfidenceStep& last = history_.steps.back();
     const bool gone = last.state == ModelState::kDeleted;
     const int x = gone ? scale_.time.X(last.time) : scale_.time.right();
+    taken_.push_back({x + 5, Y(last.evidence.rate()) - 8, 80, 16});
     svg_.Text(x + 9, Y(last.evidence.rate()) + 5, gone ? "given up" : TwoDecimals(last.evidence.rate()),
               {gone ? "d-b d-fail" : "d-b", 13});
   }
@@ -133,7 +154,7 @@ class Curve {
   const ModelHistory& history_;
   const Rect& area_;
   const CurveScale& scale_;
-  std::vector<Rect> labels_;  // where reasons stand
+  std::vector<Rect> taken_;  // where words stand
 };
 
 }  // namespace

@@ -122,8 +122,12 @@ class Drawer {
     if (!Known(band.cards[edge.from]) || !Known(band.cards[edge.to])) return;
     const EdgePath& path = form.edges[index];
     if (edge.kind == EdgeKind::kDerived) return DrawDerivation(band, form, index, open, top);
-    const bool veto = edge.kind == EdgeKind::kEnables && IsVeto(band.cards[edge.from].model);
-    svg_.Path(PathData(path, top), veto ? "d-link d-veto" : "d-link");
+    const ModelId by = edge.kind == EdgeKind::kEnables ? band.cards[edge.from].model : ModelId{};
+    const bool veto = IsVeto(by);
+    std::string classes = veto ? "d-link d-veto" : "d-link";
+    if (const ModelRecord* record = now_.Find(by); record != nullptr && record->state == ModelState::kDeleted)
+      classes += " d-gone";
+    svg_.Path(PathData(path, top), classes);
     if (edge.kind != EdgeKind::kEnables) return;
     const Point tip = Moved(path.points.back(), top);
     // What allows ends in an arrow, what forbids in a bar.
@@ -376,7 +380,9 @@ class Drawer {
     if (record->state == ModelState::kActive) return;
     DrawCross(svg_, {square.right() - 2, square.y + 2}, 4);
     const std::string word = record->state == ModelState::kDeleted ? "given up" : "paused";
-    svg_.Text(square.right() + 6, square.y + 2, word, {"d-fail", 10});
+    // Over the ring where there is room, so that it lies on no link.
+    open ? svg_.Text(centre.x - 4, square.y - 5, word, {"d-fail", 10, TextAnchor::kMiddle})
+         : svg_.Text(square.right() + 6, square.y + 2, word, {"d-fail", 10});
   }
 
   void DrawModel(ModelId id, const Rect& rect, bool open) {

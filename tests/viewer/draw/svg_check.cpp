@@ -17,7 +17,7 @@ Run PaperRun(const PaperEpisodeOptions& options) {
   return Run::FromEvents(std::move(file));
 }
 
-Run LongRun(int triads) {
+Run LongRun(int triads, bool with_veto) {
   EpisodeFile file;
   std::int64_t frame = 0;
   const auto emit = [&](EventBody body, std::vector<EventId> causes) {
@@ -55,6 +55,7 @@ Run LongRun(int triads) {
     Model requirement{ModelId{++object}, {}, {}, {}, {}, {}, {}};
     requirement.lhs = pattern(MakeIcst(state, {}, {Term::Variable(0)}));
     requirement.rhs = pattern(MakeImdl(causal, {}, {Term::Variable(0)}));
+    requirement.rhs.positive = !(with_veto && i == 0);
     const EventId made = emit(ModelCreated{requirement, {1, 1}, false, Origin::kInduction, {}}, {start});
     emit(EvidenceUpdated{requirement.id, i % 2 == 0, {1, 1}, {i % 2 == 0 ? 2.0 : 1.0, 2}, false, false},
          {made});

@@ -13,8 +13,9 @@ namespace aerascope {
 // The paper's episode as a run.
 Run PaperRun(const PaperEpisodeOptions& options = {});
 
-// A run that learns `triads` pieces of knowledge in as many frames, three rows a causal model.
-Run LongRun(int triads);
+// A run that learns `triads` pieces of knowledge in as many frames, three rows a causal model; the first one
+// may be a veto.
+Run LongRun(int triads, bool with_veto = false);
 
 // "" if xmllint finds the text well-formed, else what it says; "xmllint is not installed" where it is not.
 std::string WhatXmllintSays(const std::string& svg);
