@@ -100,11 +100,14 @@ function filmVideo(app, box) {
     shown = pictureAt(about.from + video.currentTime * 1e6);
     if (!playing) app.go(app.t);
   });
-  let loaded = false;
+  // The bytes are decoded when they are first asked for.
+  let loading = null;
   function load() {
-    if (loaded) return;
-    loaded = true;
-    blockAddress(about.block).then((address) => { video.src = address; });
+    loading = loading || blockAddress(about.block).then((address) => new Promise((resolve) => {
+      video.addEventListener("loadedmetadata", resolve, { once: true });
+      video.src = address;
+    }));
+    return loading;
   }
   function follow(seconds_shown) {
     if (!playing) return;
@@ -119,22 +122,27 @@ function filmVideo(app, box) {
   }
   video.addEventListener("ended", () => {
     if (!playing) return;
+    following = true;
     app.go(app.report.clock.end);
+    following = false;
     app.toggle();
   });
   return {
     // Whether the video will keep time.
     start() {
       if (broken) return false;
-      load();
       playing = true;
       shown = -1;
-      video.currentTime = Math.max(0, seconds(app.t));
-      // A minute is enough for a look at the whole, however long it took.
-      video.playbackRate = clamp((last + 1) * about.picture / 60e6, 1, 16);
-      watch();
-      video.play().catch(() => {
+      load().then(() => {
+        if (!playing) return null;
+        video.currentTime = Math.max(0, seconds(app.t));
+        // A minute is enough for a look at the whole, however long it took.
+        video.playbackRate = clamp((last + 1) * about.picture / 60e6, 1, 16);
+        watch();
+        return video.play();
+      }).catch(() => {
         if (!playing) return;
+        // Stills move on in its place.
         broken = true;
         app.toggle();
         app.toggle();
@@ -142,8 +150,13 @@ function filmVideo(app, box) {
       return true;
     },
     stop() {
+      if (!playing) return;
       playing = false;
       video.pause();
+      if (video.ended || video.readyState === 0) return;
+      // The clock stops at the picture that is seen.
+      shown = pictureAt(about.from + video.currentTime * 1e6);
+      app.go(about.from + shown * about.picture);
     },
     // Brings the video to this time unless a still is at hand; whether the video is what should be seen.
     show(t, still_at_hand) {
@@ -153,11 +166,9 @@ function filmVideo(app, box) {
         return true;
       }
       if (still_at_hand) return false;
-      load();
       const wanted = pictureAt(t);
       if (shown === wanted) return true;
-      if (video.readyState === 0) video.addEventListener("loadedmetadata", () => { video.currentTime = timeOf(pictureAt(app.t)); }, { once: true });
-      else video.currentTime = timeOf(wanted);
+      load().then(() => { if (!playing && shown !== pictureAt(app.t)) video.currentTime = timeOf(pictureAt(app.t)); });
       return false;
     },
   };
