@@ -15,6 +15,7 @@ class App {
     this.playing = 0;
     this.saving = 0;
     this.saved = "";
+    this.known = location.hash;   // the address as the page wrote or read it last
     this.more = new Map();   // what else panes keep in the address
     this.frames = report.clock.frames.length ? report.clock.frames : [report.clock.start];
     this.numbers = new Map(report.subjects.id.map((id, number) => [id, number]));
@@ -146,13 +147,16 @@ class App {
     this.saving = setTimeout(() => {
       const place = this.selected + " " + this.view;
       const address = this.address();
-      if (address === location.hash) return;
+      // Somebody else changed the address: what it asks for comes next, and is not written over.
+      if (address === location.hash || location.hash !== this.known) return;
       if (this.saved && this.saved !== place) history.pushState(null, "", address);
       else history.replaceState(null, "", address);
       this.saved = place;
+      this.known = location.hash;
     }, 200);
   }
   async restore() {
+    this.known = location.hash;
     const state = new URLSearchParams(location.hash.slice(1));
     this.setTheme(state.get("th") === "dark" || state.get("th") === "light" ? state.get("th") : "");
     const seconds = Number.parseFloat(state.get("t"));

@@ -83,6 +83,7 @@ async function copyLink(app) {
     say("Link copied");
   } catch {
     history.replaceState(null, "", app.address());
+    app.known = location.hash;
     say("The link stands in the address bar");
   }
 }
