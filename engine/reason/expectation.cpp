@@ -5,6 +5,9 @@
 namespace aerascope {
 namespace {
 
+// Predictions that rest on others, open at a time. Where models branch, a chain grows in breadth as well.
+constexpr std::size_t kMaxExpectations = 1000;
+
 void Join(const std::vector<PredictionId>& more, std::vector<PredictionId>* all) {
   for (const PredictionId id : more) {
     if (std::find(all->begin(), all->end(), id) == all->end()) all->push_back(id);
@@ -241,7 +244,7 @@ bool Expectations::FireOn(const Fact& input, const std::vector<PredictionId>& gr
       for (const PredictionId ground : all) causes.push_back(knowledge.predictions().at(ground).event);
       causes.push_back(record.event);
       std::map<PredictionId, int> depths;
-      if (DepthOf(all, &depths) >= parameters_.max_prediction_chain) {
+      if (links_.size() >= kMaxExpectations || DepthOf(all, &depths) >= parameters_.max_prediction_chain) {
         ChainingDecision too_deep;
         too_deep.status = ChainingStatus::kTooDeep;
         Report(id, too_deep, grounds, because, *frame, now);
@@ -271,7 +274,8 @@ bool Expectations::Predicted(ModelId model, const Fact& target) const {
 }
 
 // How many predictions rest on one another below something with these grounds.
-int Expectations::DepthOf(const std::vector<PredictionId>& grounds, std::map<PredictionId, int>* known) const {
+int Expectations::DepthOf(const std::vector<PredictionId>& grounds,
+                          std::map<PredictionId, int>* known) const {
   int depth = 0;
   for (const PredictionId ground : grounds) {
     const auto link = links_.find(ground);

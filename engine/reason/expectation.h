@@ -9,10 +9,10 @@
 //   place (renewed), or nothing does (not renewed);
 // - when its time comes before its grounds are decided (overdue).
 //
-// Own rules, since the semantics leaves them open: a chain of predictions ends after max_prediction_chain
-// links, so that a cycle of models does not go on for ever; what a model predicts already is not predicted
-// again; where a prediction takes the place of one with the same target and confidence, what rested on the
-// old one rests on the new one from then on.
+// Own rules: a chain of predictions ends after max_prediction_chain links, so that a cycle of models does not
+// go on for ever, and there are at most 1000 expectations at a time; what a model predicts already is not
+// predicted again; where a prediction takes the place of one with the same target and confidence, what rested
+// on the old one rests on the new one from then on.
 #pragma once
 
 #include <map>

@@ -162,6 +162,30 @@ TEST(Expectation, ACycleOfModelsEndsAtTheLimit) {
   EXPECT_THAT(mind.All<PredictionFailed>(), IsEmpty());
 }
 
+TEST(Expectation, ChainsThatBranchEndAtALimitOfTheirOwn) {
+  // own. Given that n leads to 2n and to 2n + 1, and links for a hundred frames, then there are no more than
+  // a thousand expectations, and the decision against more says why.
+  ReasonerParameters parameters;
+  parameters.max_prediction_chain = 100;
+  ToyMind mind(parameters);
+  std::vector<SeedModelDefinition> models;
+  for (const int odd : {0, 1}) {
+    Model model = Free(odd + 1, Value(E("x"), "number", V(2)), Value(E("x"), "number", V(3)));
+    model.forward.push_back({3, Term::Struct("+", {Term::Struct("*", {V(2), N(2)}), N(odd)})});
+    models.push_back({model, {}, false});
+  }
+  mind.Know({}, {}, models);
+  mind.See({Value(E("x"), "number", N(1))});
+  std::size_t open = 0;
+  for (const auto& [id, record] : mind.reasoner.knowledge().predictions())
+    open += record.grounds.empty() ? 0 : 1;
+  EXPECT_EQ(open, 1000u);
+  const auto decided = mind.All<ChainingDecided>();
+  EXPECT_TRUE(std::any_of(decided.begin(), decided.end(), [](const ChainingDecided* decision) {
+    return decision->status == ChainingStatus::kTooDeep;
+  }));
+}
+
 TEST(Expectation, WithoutLinksNothingIsPredictedFromPredictions) {
   // own: max_prediction_chain = 0.
   ReasonerParameters parameters;
