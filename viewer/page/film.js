@@ -256,11 +256,11 @@ function outlineLayer(app, over, unit) {
 }
 
 // What stands for a thing in the picture: a click selects the thing.
-function thingButton(app, name, bound) {
+function thingButton(app, name) {
   const id = "thing:" + name;
   const known = app.subject(id) !== null;
   const choose = () => app.select(id);
-  return svg("g", { class: "object" + (bound ? " bound" : ""), role: known ? "button" : null, tabindex: known ? 0 : null,
+  return svg("g", { class: "object", role: known ? "button" : null, tabindex: known ? 0 : null,
     "aria-label": known ? name : null,
     on: { click: choose, keydown: (event) => {
       if (event.key !== "Enter" && event.key !== " ") return;
@@ -304,8 +304,8 @@ function planPane(app) {
   const middle = { x: width / 2, y: (height + margin.top - margin.bottom) / 2 };
   const at = (place) => [middle.x + (place[0] - (x0 + x1) / 2) * scale,
     flat ? middle.y : middle.y - ((place[1] ?? 0) - (y0 + y1) / 2) * scale];
-  const picture = svg("svg", { class: "plan", viewBox: `0 0 ${width} ${height}`, role: "img",
-    "aria-label": "Where things are" });
+  const picture = svg("svg", { class: "plan", viewBox: `0 0 ${width} ${height}`, role: "group",
+    "aria-label": "Where things are" }, ...grid());
   box.append(picture);
 
   function grid() {
@@ -320,26 +320,34 @@ function planPane(app) {
     }
     return lines;
   }
+  // Each thing's elements are made once, so that focus stays on them.
+  const dots = new Map();
+  for (const name of places.keys()) {
+    const group = thingButton(app, name);
+    const parts = { group, area: svg("circle", { class: "area", r: 12 }), dot: svg("circle", { r: 5 }), label: svg("text") };
+    group.append(parts.area, parts.dot, parts.label);
+    dots.set(name, parts);
+  }
   return app.add({
     showTime(t) {
       const bound = boundObjects(app, t);
       const stacked = new Map();
-      const dots = [];
       for (const [name, changes] of places) {
+        const { group, area, dot, label } = dots.get(name);
         const change = lastAt(changes, t, (c) => c.at);
-        if (!change) continue;
+        if (!change) { group.remove(); continue; }
         const [x, y] = at(change.place);
         // Things at one place share a dot; their names stand above each other.
         const key = Math.round(x / 8) + " " + Math.round(y / 8);
         const level = stacked.get(key) || 0;
         stacked.set(key, level + 1);
-        const variable = bound.get(name);
-        const thing = thingButton(app, name, variable !== undefined);
-        thing.append(svg("circle", { class: "area", cx: x, cy: y, r: 12 }), svg("circle", { cx: x, cy: y, r: 5 }),
-          svg("text", { x, y: y + (level ? -(11 + 13 * (level - 1)) : 19), text: variable ? variable + " = " + name : name }));
-        dots.push(thing);
+        for (const circle of [area, dot]) { circle.setAttribute("cx", x); circle.setAttribute("cy", y); }
+        label.setAttribute("x", x);
+        label.setAttribute("y", y + (level ? -(11 + 13 * (level - 1)) : 19));
+        label.textContent = bound.get(name) ? bound.get(name) + " = " + name : name;
+        group.classList.toggle("bound", bound.has(name));
+        if (!group.parentNode) picture.append(group);
       }
-      picture.replaceChildren(...grid(), ...dots);
     },
   });
 }
