@@ -186,9 +186,7 @@ class Report(EndToEndTest):
         self.assertEqual((data["title"], data["clock"]["end"], len(data["clock"]["frames"])),
                          ("Pick and place", 16_000_000, 16))
         self.assertFalse(data["warning"])
-        log = events(demo_episode())
-        for number, event in data["events"].items():
-            self.assertEqual(event["at"], log[int(number) - 1]["time_us"])
+        self.assertEqual(data["log"]["count"], len(events(demo_episode())))
         for node in json.loads(self.run_program("export", demo_episode(), "--format", "json").out)["nodes"]:
             self.assertIn(f'"{node["id"]}"', json.dumps(data), node["title"])
 
