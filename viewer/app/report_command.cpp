@@ -69,6 +69,9 @@ void AddReportCommand(CLI::App& app, Chosen* chosen) {
       "Cameras with commas between, the first with video: names of the model's cameras, side, above, "
       "at:ENTITY, free:AZIMUTH,ELEVATION,DISTANCE; default: the model's first, side, above and the "
       "hand");
+  command->add_flag("--folder", options->files.folder,
+                    "Pictures and video as files in a folder beside the page (report_files for report.html), "
+                    "for web servers and very long episodes");
   command->add_flag("--no-frames", options->no_frames, "Leave out the film");
   command->callback([=] { *chosen = [=] { return MakeReport(*options); }; });
 }

@@ -13,6 +13,7 @@ struct ReportFiles {
   std::string html;   // path, or empty for none
   std::string sheet;  // path of the PNG, or empty for none
   bool frames = true;
+  bool folder = false;  // pictures and video go into a folder beside the page: report_files for report.html
   FilmOptions film{};
   double sheet_scale = 1.5;
 };

@@ -276,6 +276,11 @@ function boundObjects(app, t) {
   const bound = new Map();
   if (subject && subject.kind === "thing") bound.set(subject.id.slice("thing:".length), "");
   for (const [variable, value] of (subject && app.bindings(subject, t)) || []) bound.set(value, variable);
+  // What a goal, a prediction, a command or an event speaks of is named in its words.
+  if (subject && ["goal", "prediction", "command", "event"].includes(subject.kind)) {
+    const words = new Set((subject.title + " " + (subject.detail.say || "")).split(/[^\p{L}\p{N}_]+/u));
+    for (const object of app.report.objects) if (words.has(object.name)) bound.set(object.name, "");
+  }
   return bound;
 }
 

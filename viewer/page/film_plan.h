@@ -16,7 +16,7 @@ namespace aerascope {
 
 struct FilmWishes {
   bool video = true;
-  std::optional<int> video_fps{};          // pictures of the video a second; none: by the length of the episode
+  std::optional<int> video_fps{};  // pictures of the video a second; none: by the length of the episode
   std::optional<int> stills_per_second{};  // beside those that matter; none: 0 with a video, 4 without
 };
 

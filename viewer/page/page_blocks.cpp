@@ -10,6 +10,15 @@ void PageBlocks::Add(const std::string& part, const std::string& id, std::string
   if (!part_of_.contains(id)) Write(part, id, mime, false, bytes);
 }
 
+void PageBlocks::AddFile(const std::string& part, const std::string& id, std::string_view mime,
+                         const std::string& path) {
+  if (!part_of_.try_emplace(id, part).second) return;
+  const std::size_t before = html_.size();
+  html_ += "<script type=\"application/octet-stream\" id=\"" + EscapeMarkup(id) + "\" data-type=\"" +
+           EscapeMarkup(mime) + "\" data-file=\"" + EscapeMarkup(path) + "\"></script>\n";
+  parts_[part] += html_.size() - before;
+}
+
 Status PageBlocks::AddPacked(const std::string& part, const std::string& id, std::string_view mime,
                              std::string_view bytes) {
   if (part_of_.contains(id)) return {};

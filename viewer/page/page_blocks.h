@@ -18,6 +18,9 @@ class PageBlocks {
  public:
   // As they are; for what is compressed already.
   void Add(const std::string& part, const std::string& id, std::string_view mime, std::string_view bytes);
+  // Not in the page but in a file beside it: the block only says where.
+  void AddFile(const std::string& part, const std::string& id, std::string_view mime,
+               const std::string& path);
   // Compressed with gzip.
   Status AddPacked(const std::string& part, const std::string& id, std::string_view mime,
                    std::string_view bytes);

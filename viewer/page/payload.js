@@ -15,26 +15,29 @@ async function unpackedBytes(block) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// The bytes and the text of a block by its id; a page without it says so. The script begins before the whole page is
-// read, so a block may be still to come.
-async function blockBytes(id) {
+// A block by its id; a page without it says so. The script begins before the whole page is read, so a block may be
+// still to come.
+async function blockNamed(id) {
   let block = document.getElementById(id);
   if (!block && document.readyState === "loading") {
     await new Promise((resume) => { document.addEventListener("DOMContentLoaded", resume, { once: true }); });
     block = document.getElementById(id);
   }
   if (!block) throw new Error("the part " + id + " of the report is missing");
-  return unpackedBytes(block);
+  return block;
 }
+async function blockBytes(id) { return unpackedBytes(await blockNamed(id)); }
 async function blockText(id) { return new TextDecoder().decode(await blockBytes(id)); }
 
-// The address of a block's bytes as an image or a film; made once.
+// The address of a block's bytes as an image or a film, made once: in the page, or a file beside it.
 const blockAddresses = new Map();
+async function makeBlockAddress(id) {
+  const block = await blockNamed(id);
+  if (block.dataset.file) return block.dataset.file;
+  return URL.createObjectURL(new Blob([await unpackedBytes(block)], { type: block.dataset.type || "" }));
+}
 function blockAddress(id) {
-  if (!blockAddresses.has(id)) {
-    blockAddresses.set(id, blockBytes(id).then((bytes) =>
-      URL.createObjectURL(new Blob([bytes], { type: $(id).dataset.type || "" }))));
-  }
+  if (!blockAddresses.has(id)) blockAddresses.set(id, makeBlockAddress(id));
   return blockAddresses.get(id);
 }
 function showImage(image, id) {

@@ -1,6 +1,7 @@
 #include "viewer/page/report.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 #include <string_view>
 
@@ -14,26 +15,59 @@
 namespace aerascope {
 namespace {
 
-std::string ContentPolicy() {
+// `beside`: pictures and video are files beside the page.
+std::string ContentPolicy(bool beside) {
   return "default-src 'none'; script-src 'sha256-" + Base64(BytesOfHex(kScriptSha256)) +
          "'; style-src 'sha256-" + Base64(BytesOfHex(kStyleSha256)) +
-         "'; img-src blob: data:; media-src blob:; base-uri 'none'; form-action 'none'";
+         "'; img-src blob: data:" + (beside ? " 'self'" : "") +
+         "; media-src blob:" + (beside ? " 'self'" : "") + "; base-uri 'none'; form-action 'none'";
 }
 
-// Each image once, under a name made from its content, and the video; gives the names in the order that
-// FilmData asks for.
-std::vector<std::string> AddImages(const ReportFrames& frames, PageBlocks* blocks) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& part, const std::string& mime, const std::string& bytes) {
-    names.push_back((part == "video" ? "video-" : "image-") + ToText(HashOf(bytes)).substr(0, 16));
-    blocks->Add(part, names.back(), mime, bytes);
-  };
-  for (const Still& still : frames.stills) add("frames", frames.mime, still.bytes);
-  for (const FilmView& view : frames.views)
-    for (const Still& still : view.stills) add("frames", frames.mime, still.bytes);
-  if (frames.video) add("video", frames.video->mime, frames.video->bytes);
-  return names;
+std::string_view EndingOf(std::string_view mime) {
+  const std::size_t slash = mime.find('/');
+  const std::string_view kind = slash == std::string_view::npos ? mime : mime.substr(slash + 1);
+  for (const std::string_view known : {"webp", "png", "webm"})
+    if (kind.starts_with(known)) return known;
+  return "bin";
 }
+
+// Each image once, under a name made from its content, and the video: into the page, or as files beside it.
+class Pictures {
+ public:
+  Pictures(const ReportFrames& frames, const std::string& folder) : folder_(folder) {
+    for (const Still& still : frames.stills) Add("frames", frames.mime, still.bytes);
+    for (const FilmView& view : frames.views)
+      for (const Still& still : view.stills) Add("frames", frames.mime, still.bytes);
+    if (frames.video) Add("video", frames.video->mime, frames.video->bytes);
+  }
+
+  // In the order that FilmData asks for.
+  const std::vector<std::string>& names() const { return names_; }
+  const PageBlocks& blocks() const { return blocks_; }
+  std::vector<ReportFile> TakeFiles() {
+    std::vector<ReportFile> files;
+    for (auto& [path, bytes] : files_) files.push_back({path, std::move(bytes)});
+    return files;
+  }
+
+ private:
+  void Add(const std::string& part, const std::string& mime, const std::string& bytes) {
+    const std::string name = (part == "video" ? "video-" : "image-") + ToText(HashOf(bytes)).substr(0, 16);
+    names_.push_back(name);
+    if (folder_.empty()) {
+      blocks_.Add(part, name, mime, bytes);
+      return;
+    }
+    const std::string path = folder_ + "/" + name + "." + std::string(EndingOf(mime));
+    blocks_.AddFile(part, name, mime, path);
+    files_.try_emplace(path, bytes);
+  }
+
+  const std::string& folder_;
+  PageBlocks blocks_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::string> files_;
+};
 
 // The template with every @name@ replaced; a name without a value stays.
 std::string Filled(std::string_view page, const std::map<std::string_view, std::string_view>& values) {
@@ -65,14 +99,14 @@ std::string Megabytes(std::size_t bytes) {
 
 Result<Report> BuildReport(const Run& run, const ReportFrames& frames, const ReportOptions& options) {
   ReportBlocks data;
-  PageBlocks images;
-  const std::vector<std::string> names = AddImages(frames, &images);
-  if (Status added = AddReportData(run, frames, names, options, &data); !added) return added.error();
+  Pictures pictures(frames, options.picture_folder);
+  if (Status added = AddReportData(run, frames, pictures.names(), options, &data); !added)
+    return added.error();
   const std::string title = EscapeMarkup(ReportTitle(run));
-  const std::string policy = ContentPolicy();
+  const std::string policy = ContentPolicy(!options.picture_folder.empty());
   // What the page needs to open stands before its script, which does not wait for the rest.
   const std::string& first = data.first.html();
-  const std::string rest = data.later.html() + images.html();
+  const std::string rest = data.later.html() + pictures.blocks().html();
 
   Report report;
   report.html = Filled(kPage, {{"policy", policy},
@@ -83,9 +117,11 @@ Result<Report> BuildReport(const Run& run, const ReportFrames& frames, const Rep
                                {"rest", rest}});
   report.parts.push_back({"page", report.html.size() - first.size() - rest.size()});
   std::map<std::string, std::size_t> parts;
-  for (const PageBlocks* blocks : {&data.first, &data.later, &images})
+  for (const PageBlocks* blocks :
+       std::initializer_list<const PageBlocks*>{&data.first, &data.later, &pictures.blocks()})
     for (const auto& [name, bytes] : blocks->parts()) parts[name] += bytes;
   for (const auto& [name, bytes] : parts) report.parts.push_back({name, bytes});
+  report.files = pictures.TakeFiles();
   if (report.html.size() > kLargeReport) {
     const auto largest =
         std::max_element(report.parts.begin(), report.parts.end(),
@@ -93,7 +129,9 @@ Result<Report> BuildReport(const Run& run, const ReportFrames& frames, const Rep
     report.warnings.push_back(
         "The report is " + Megabytes(report.html.size()) + ", more than " + Megabytes(kLargeReport) +
         ", and may open slowly: " + largest->name + " take " + Megabytes(largest->bytes) + " of it" +
-        (largest->name == "frames" ? "; smaller or fewer frames make it lighter." : "."));
+        (largest->name == "frames"
+             ? "; smaller or fewer frames make it lighter, or --folder, which puts them beside it."
+             : "."));
   }
   return report;
 }

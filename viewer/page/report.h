@@ -34,8 +34,8 @@ struct Still {
   Time at;
   std::string bytes;  // of the type ReportFrames::mime; equal images are stored once
   std::vector<StillObject> objects;
-  Time until{};  // nothing moves before this time, so that the image is right up to here; not used if not after
-               // `at`
+  Time until{};  // nothing moves before this time, so that the image is right up to here; not used if not
+                 // after `at`
 };
 
 // Where things are in the pictures of the first camera, at more instants than there are stills.
@@ -68,7 +68,7 @@ struct ReportFrames {
   std::string mime;           // "image/webp" or "image/png"
   std::vector<Still> stills;  // in order of time; empty for a report without frames
   std::string note;           // why there are no frames, or fewer than there could be; shown
-  std::string camera_id{};      // of the first camera; may be empty where there is no other
+  std::string camera_id{};    // of the first camera; may be empty where there is no other
   std::string camera_title{};
   std::optional<FilmVideo> video{};
   std::vector<OutlinesAt> outlines{};  // in order of time
@@ -77,6 +77,14 @@ struct ReportFrames {
 
 struct ReportOptions {
   std::string file_name;  // of the episode, as shown; without folder
+  // Where pictures and video go, as the page names it ("report_files"); empty: into the page.
+  std::string picture_folder{};
+};
+
+// A file that belongs beside the page.
+struct ReportFile {
+  std::string path;  // as the page names it, beginning with ReportOptions::picture_folder
+  std::string bytes;
 };
 
 // What takes the space, for people who wonder.
@@ -87,6 +95,7 @@ struct ReportPart {
 
 struct Report {
   std::string html;
+  std::vector<ReportFile> files;      // none where everything is in the page; by name
   std::vector<ReportPart> parts;      // add up to the size of `html`
   std::vector<std::string> warnings;  // one sentence each
 };

@@ -189,6 +189,22 @@ TEST(Report, EachImageIsStoredOnce) {
   EXPECT_EQ(CountOf(report->html, "id=\"image-"), 1u);
 }
 
+TEST(Report, PicturesMayLieBesideThePage) {
+  const auto run = PaperRun();
+  const auto inside = BuildReport(run, MadeUpFrames(run));
+  const auto beside = BuildReport(run, MadeUpFrames(run), {.file_name = "a", .picture_folder = "r_files"});
+  ASSERT_TRUE(inside.ok() && beside.ok());
+  EXPECT_TRUE(inside->files.empty());
+  ASSERT_FALSE(beside->files.empty());
+  EXPECT_LT(beside->html.size(), inside->html.size());
+  for (const ReportFile& file : beside->files) {
+    EXPECT_EQ(CountOf(beside->html, "data-file=\"" + file.path + "\""), 1u);
+    EXPECT_THAT(file.path, testing::MatchesRegex("r_files/image-[0-9a-f]+\\.png"));
+  }
+  EXPECT_THAT(beside->html, HasSubstr("img-src blob: data: 'self'; media-src blob: 'self';"));
+  EXPECT_THAT(inside->html, HasSubstr("img-src blob: data:; media-src blob:;"));
+}
+
 TEST(Report, PartsAddUpToTheWhole) {
   const Report report = PaperReport();
   std::size_t sum = 0;
