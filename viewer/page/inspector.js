@@ -40,7 +40,7 @@ function inspectorPane(app) {
     if (subject.confidence.length) live.push((t) => showSure(big, subject, t));
     return el("div", { class: "top" },
       el("div", { class: "kind" }, mark(failed ? "cross" : subject.mark, failed ? "fail" : ""), el("span", { text: (subject.kind === "thing" ? "" : subject.id + ", ") + subject.detail.note }), jump),
-      el("div", { class: "row" }, el("h2", { text: subject.kind === "thing" ? subject.title : capitalised(subject.title) }), big));
+      el("div", { class: "row" }, el("h2", { text: ["requirement", "model", "state"].includes(subject.kind) ? capitalised(subject.title) : subject.title }), big));
   }
   function showSure(big, subject, t) {
     const step = lastAt(subject.confidence, t, (s) => s.at);
@@ -222,7 +222,7 @@ function inspectorPane(app) {
       el("td", {}, el("button", { type: "button", class: "link plain", text: plan.text || "nothing to do", title: "What was imagined",
         on: { click: () => { app.go(plan.at); app.select(plan.event); app.setView("reasoning"); } } })), el("td", { text: plan.score }),
       el("td", {}, mark(plan.outcome === "reached" ? "check" : "cross"), plan.committed ? "chosen" : plan.outcome.replaceAll("_", " "))));
-    return block(heading("What was tried in the head?", "a click shows the reasoning"), el("table", {},
+    return block(heading("What was tried in the head?", "a click shows it"), el("table", { class: "plans" },
       el("thead", {}, el("tr", {}, el("th", { text: "commands" }), el("th", { text: "sure" }), el("th", {}, el("span", { class: "unseen", text: "what came of it" })))), el("tbody", {}, ...rows)));
   }
 
