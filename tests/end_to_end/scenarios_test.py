@@ -9,7 +9,7 @@ import os
 import re
 from pathlib import Path
 
-from support import SCENARIOS, EndToEndTest, call, events, packed_data, recorded
+from support import SCENARIOS, EndToEndTest, call, events, subject_detail, recorded
 
 GOLDEN = Path(__file__).with_name("golden")
 
@@ -254,12 +254,11 @@ class HandGrabSphereLearn(EndToEndTest):
     # The report once said that the prediction had not come true, as the warning had been wrong.
     def test_the_report_says_what_weakened_a_warning(self):
         self.run_program("report", episode_of(self.NAME), "-o", "run.html", "--no-frames")
-        subjects = packed_data((self.folder / "run.html").read_text())["subjects"]
+        html = (self.folder / "run.html").read_text()
         warnings = [body["model"]["id"] for body in bodies(self.NAME, "ModelCreated")
                     if body["origin"] == "prediction_failure"]
-        steps = [step for warning in warnings for step in subjects[warning]["confidence"][1:]]
-        self.assertTrue(steps)
-        self.assertEqual({step["why"] for step in steps} - {"deleted"}, {"h holding [] came true"})
+        reasons = {why for warning in warnings for why, _, _ in subject_detail(html, warning)["steps"][1:]}
+        self.assertEqual(reasons - {"deleted"}, {"h holding [] came true"})
 
     def test_why_of_the_last_command_tells_failure_veto_new_knowledge_and_success(self):
         told, text = why_last_command(self.NAME)

@@ -148,11 +148,18 @@ def events(episode, kind=None):
     return [json.loads(line) for line in outcome.out.splitlines()]
 
 
-def packed_data(html):
-    """What a report shows, unpacked from the page as its script does it."""
-    found = re.search(r'id="report-data"[^>]*data-packed="gzip"[^>]*>([^<]+)<', html)
-    assert found, "the page has no packed report data"
+def packed_data(html, block="report-data"):
+    """A block of a report, unpacked from the page as its script does it."""
+    found = re.search(rf'id="{block}"[^>]*data-packed="gzip"[^>]*>([^<]+)<', html)
+    assert found, f"the page has no packed block {block}"
     return json.loads(gzip.decompress(base64.b64decode(found[1])))
+
+
+def subject_detail(html, name):
+    """What a report's inspector shows of one thing, by its id."""
+    subjects = packed_data(html)["subjects"]
+    number = subjects["id"].index(name)
+    return packed_data(html, f"subjects-{number // subjects['block']}")[number % subjects["block"]]
 
 
 def python_with(module):

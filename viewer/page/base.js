@@ -62,7 +62,8 @@ function setTimeDecimals(periodUs) {
   if (periodUs > 0) timeDecimals = 3;
 }
 const clockText = (us) => (us / 1e6).toFixed(timeDecimals) + " s";
-const secondsText = (us) => String(Number((us / 1e6).toFixed(Math.max(timeDecimals, 1)))) + " s";
+// Of an event, to the millisecond; what is finer would not help.
+const secondsText = (us) => String(Number((us / 1e6).toFixed(3))) + " s";
 const tickText = (us) => String(Number((us / 1e6).toFixed(3)));
 const sureText = (value) => value.toFixed(2);
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));

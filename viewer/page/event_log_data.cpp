@@ -20,7 +20,7 @@ using nlohmann::json;
 constexpr std::size_t kLongestSentence = 1000;  // code points
 
 // Bits of a sign and of a step of confidence, see the header.
-constexpr unsigned kFailure = 8, kImagined = 16, kWorthALine = 32;
+constexpr unsigned kFailure = 8, kImagined = 16, kWorthALine = 32, kSpeaksAgainst = 64;
 constexpr unsigned kWasWrong = 1, kWasDeleted = 2, kIsStrong = 4, kIsPhasedOut = 8;
 
 // Whether an effect is worth a line; what is only thought on the way is looked through.
@@ -33,6 +33,25 @@ bool IsWorthALine(const Event& event) {
                  [](const CommandIssued&) { return true; }, [](const CommandRefused&) { return true; },
                  [](const GoalAchieved&) { return true; }, [](const GoalFailed&) { return true; },
                  [](const DriveInjected&) { return true; }, [](const auto&) { return false; }},
+      event.body);
+}
+
+// Whether it is a reason why a goal, a prediction or a command did not come out: skipped, rejected, refused
+// or contradicted on the way. That something holds or is expected already is none.
+bool SpeaksAgainst(const Event& event) {
+  return std::visit(
+      Overloaded{[](const GoalSkipped& e) {
+                   return e.reason != GoalSkipReason::kAlreadyHolds &&
+                          e.reason != GoalSkipReason::kPredicted && e.reason != GoalSkipReason::kLoop;
+                 },
+                 [](const AnalogyCompared& e) {
+                   return e.verdict != AnalogyVerdict::kAccepted && e.verdict != AnalogyVerdict::kNotRequired;
+                 },
+                 [](const GoalDropped& e) { return e.reason == GoalDropReason::kRequirementContradicted; },
+                 [](const SimulationEnded& e) { return e.outcome != SimulationOutcome::kReached; },
+                 [](const PlanRejected&) { return true; }, [](const CommandRefused&) { return true; },
+                 [](const PredictionFailed&) { return true; },
+                 [](const PredictionInvalidated&) { return true; }, [](const auto&) { return false; }},
       event.body);
 }
 
@@ -68,10 +87,10 @@ class LogAuthor {
     const std::vector<Event>& events = run_.events();
     for (const Event& event : events) columns_.Byte(static_cast<std::uint8_t>(event.body.index()));
     for (const Event& event : events)
-      columns_.Byte(static_cast<std::uint8_t>(static_cast<unsigned>(ChapterOf(context_, subjects_, event)) |
-                                              (TellsOfFailure(event) ? kFailure : 0u) |
-                                              (event.simulation.valid() ? kImagined : 0u) |
-                                              (IsWorthALine(event) ? kWorthALine : 0u)));
+      columns_.Byte(static_cast<std::uint8_t>(
+          static_cast<unsigned>(ChapterOf(context_, subjects_, event)) |
+          (TellsOfFailure(event) ? kFailure : 0u) | (event.simulation.valid() ? kImagined : 0u) |
+          (IsWorthALine(event) ? kWorthALine : 0u) | (SpeaksAgainst(event) ? kSpeaksAgainst : 0u)));
     for (const Event& event : events) columns_.Byte(MarkNumber(MarkOf(event)));
     Time before;
     for (const Event& event : events) {

@@ -4,7 +4,8 @@
 // Block `log` (columns, see columns.h), one after the other for n events:
 //   kind       n bytes: position in EventBody
 //   sign       n bytes: bits 0 to 2 the chapter of the story, 0 for none (StoryChapter); bit 3 tells of
-//              failure; bit 4 happened in the head only; bit 5 is worth a line where effects are listed
+//              failure; bit 4 happened in the head only; bit 5 is worth a line where effects are listed; bit 6
+//              says why something did not happen
 //   mark       n bytes: position in the list of marks in the description
 //   time       n signed: microseconds since the event before
 //   simulation n unsigned: number of the simulation, 0 for none

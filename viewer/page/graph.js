@@ -306,8 +306,10 @@ function graphPane(app) {
     group.addEventListener("keydown", (event) => {
       if (event.key === "Enter") { event.preventDefault(); choose(); refocus(card); }
     });
+    const number = numberOf(card);
     parts.push((t) => {
       group.classList.toggle("later", t < card.born);
+      group.classList.toggle("phased", number !== undefined && log.phasedOutAt(number, t) && !(card.gone !== undefined && t >= card.gone));
       group.classList.toggle("gone", card.gone !== undefined && t >= card.gone);
       if (live) live(t);
     });
@@ -434,6 +436,7 @@ function graphPane(app) {
     const line = (text, top, room) => svg("text", { x: x + 12, y: top + half / 2 + 4 },
       svg("title", { text }), ...withVariables(fitted(text, room, 12.5), card.vars, "tspan"));
     const note = svg("text", { class: "note", x: x + w - 12, y: y + 18, "text-anchor": "end" });
+    const number = numberOf(card);
     const room = (label) => w - 36 - widthOf(label, 12);
     const body = [isOpen ? frame(rect, "card") : "", clip(y + head, "lhs", isOpen ? "" : "top"), clip(y + head + half, "rhs", "bottom"),
       frame(rect, "frame")];
@@ -452,7 +455,8 @@ function graphPane(app) {
         const middle = (low + high) >> 1;
         if (card.outcomes[middle][0] <= t) low = middle + 1; else high = middle;
       }
-      note.textContent = low ? `came true ${card.outcomes[low - 1][1]} of ${low}` : "not yet tried";
+      if (number !== undefined && log.phasedOutAt(number, t)) note.textContent = "phased out";
+      else note.textContent = low ? `came true ${card.outcomes[low - 1][1]} of ${low}` : "not yet tried";
     });
   }
 

@@ -180,6 +180,8 @@ function inspectorPane(app) {
   function outcome(subject) {
     const { result } = subject.detail;
     if (!result) return null;
+    const dropped = subject.kind === "goal" && subject.outcome === "open" && [...app.log.eventsOf(subject.number)].find((event) => app.log.kind(event).name === "GoalDropped");
+    if (dropped) return block(heading("What came of it?"), el("div", { class: "tree" }, el("div", { class: "line" }, eventRow(app, dropped, { picture: false }))));
     const failed = subject.outcome === "failed";
     const sign = failed ? "cross" : subject.outcome === "true" ? "check" : null;
     const text = el("b", { class: failed ? "fail" : "", text: result });
@@ -227,13 +229,13 @@ function inspectorPane(app) {
   }
 
   // ---- why something did not happen: what was skipped, rejected, refused or contradicted on the way
-  const AGAINST = new Set(["GoalSkipped", "PlanRejected", "AnalogyCompared", "GoalDropped", "GoalSuspended", "CommandRefused", "PredictionFailed", "PredictionInvalidated"]);
   function whyNot(subject) {
     if (!["goal", "prediction", "command"].includes(subject.kind) || subject.outcome === "true") return null;
     const goals = subject.kind === "goal" ? withSubGoals(subject.number) : [subject.number];
-    const against = new Set(goals.flatMap((number) => [...app.log.eventsOf(number)]).filter((event) => AGAINST.has(app.log.kind(event).name)));
+    const against = new Set(goals.flatMap((number) => [...app.log.eventsOf(number)]).filter((event) => app.log.against(event)));
+    // Plans that were tried for a goal do not name it when they end.
     if (subject.kind === "goal") {
-      for (const goal of goals) for (const event of app.log.eventsOf(goal)) for (const effect of app.log.effects(event)) if (AGAINST.has(app.log.kind(effect).name) && !app.log.imagined(effect)) against.add(effect);
+      for (const goal of goals) for (const event of app.log.eventsOf(goal)) for (const effect of app.log.effects(event)) if (app.log.against(effect)) against.add(effect);
     }
     const events = [...against].sort((a, b) => a - b);
     if (!events.length) return null;

@@ -122,7 +122,7 @@ function lanesPane(app) {
         const one = app.subjectByNumber(number);
         const own = number === selected;
         const button = el("button", { type: "button", class: own ? "selected" : "", text: "Sure: " + one.title,
-          title: "How sure: " + one.title, on: { click: () => app.select(one.id) } });
+          title: "How sure: " + one.id + ", " + one.title, on: { click: () => app.select(one.id) } });
         button.dataset.subject = one.id;
         const node = label("", LANE.curve, { child: button });
         // Where the curve begins late, its name may reach over the free field.

@@ -1,7 +1,7 @@
 // ---- log.js: every event of the run. Kinds, times and what each event speaks of are there at once; causes,
 // sentences and fields are decoded when they are asked for. Events are known by their number, from 1.
 
-const SIGN = { chapter: 7, failed: 8, imagined: 16, worthALine: 32 };
+const SIGN = { chapter: 7, failed: 8, imagined: 16, worthALine: 32, against: 64 };
 const CHAPTERS = ["", "goal", "command", "prediction", "learned", "analogy"];
 
 class EventLog {
@@ -39,6 +39,8 @@ class EventLog {
   failed(event) { return (this.signOf[event - 1] & SIGN.failed) !== 0; }
   imagined(event) { return (this.signOf[event - 1] & SIGN.imagined) !== 0; }
   worthALine(event) { return (this.signOf[event - 1] & SIGN.worthALine) !== 0; }
+  // Whether it says why something did not happen.
+  against(event) { return (this.signOf[event - 1] & SIGN.against) !== 0; }
   chapter(event) { return CHAPTERS[this.signOf[event - 1] & SIGN.chapter]; }
   simulation(event) { return this.simulationOf[event - 1]; }
   // Numbers of the subjects it speaks of, the first most of all.
@@ -91,13 +93,22 @@ class EventLog {
   }
   // How sure at a time; null before it was known.
   sureAt(subject, t) {
-    const { start, at, value } = this.sure;
+    const step = this.stepAt(subject, t);
+    return step < 0 ? null : this.sure.value[step];
+  }
+  phasedOutAt(subject, t) {
+    const step = this.stepAt(subject, t);
+    return step >= 0 && (this.sure.bits[step] & 8) !== 0;
+  }
+  // Position of the last step at or before t; -1 before the first.
+  stepAt(subject, t) {
+    const { start, at } = this.sure;
     let low = start[subject], high = start[subject + 1];
     while (low < high) {
       const middle = (low + high) >> 1;
       if (at[middle] <= t) low = middle + 1; else high = middle;
     }
-    return low > start[subject] ? value[low - 1] : null;
+    return low > start[subject] ? low - 1 : -1;
   }
 
   // ---- causes and effects, once loadCauses() is done

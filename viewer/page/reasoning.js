@@ -132,7 +132,7 @@ function reasoningPane(app) {
     const summary = el("summary", {}, mark(plan.chosen ? "check" : "cross"), " ", eventSentence(app, plan.event), verdict ? el("b", { text: " " + verdict }) : "");
     summary.dataset.event = plan.event;
     const rows = [...plan.steps, plan.end, plan.why, plan.chosen].filter((event) => event);
-    return el("li", {}, el("details", { class: "plan imagined" + (plan.chosen ? " chosen" : "") }, summary,
+    return el("li", {}, el("details", { class: "tried imagined" + (plan.chosen ? " chosen" : "") }, summary,
       el("p", { class: "quiet", text: "In the head, not in the world:" }),
       el("div", { class: "tree" }, ...rows.slice(0, 120).map((event) => el("div", { class: "line" }, eventRow(app, event, { picture: false })))),
       el("button", { type: "button", class: "link", text: "Select this plan", on: { click: () => app.select("#" + plan.event) } })));
