@@ -9,7 +9,7 @@ import os
 import re
 from pathlib import Path
 
-from support import SCENARIOS, EndToEndTest, call, events, subject_detail, recorded
+from support import SCENARIOS, EndToEndTest, call, events, recorded, subject_detail
 
 GOLDEN = Path(__file__).with_name("golden")
 

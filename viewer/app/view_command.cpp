@@ -1,6 +1,7 @@
 // aerascope view: one view of an episode as SVG or PNG, for a paper or a review.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -96,8 +97,9 @@ Result<std::string> Draw(const Run& run, const Options& options, const Asked& as
 }
 
 int MakeView(const Options& options) {
-  const bool png = options.output.ends_with(".png");
-  if (!png && !options.output.ends_with(".svg") && options.output != "-")
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  const bool png = ending == ".png";
+  if (!png && !ending.empty() && ending != ".svg")
     return Fail("the view's file must end in .svg or .png, or be - for SVG on standard output; found " +
                 options.output);
   auto run = OpenRun(options.episode);
@@ -144,7 +146,7 @@ void AddViewCommand(CLI::App& app, Chosen* chosen) {
   command->add_option("--camera", options->camera, "Of moment: a camera, as in the report");
   command
       ->add_option("-o,--output", options->output,
-                   "The file to write, .svg or .png; - is SVG on standard output")
+                   "The file to write, .png or else SVG; - is SVG on standard output")
       ->required();
   command->add_flag("--dark", options->dark, "Light on dark");
   command->add_option("--scale", options->scale, "Pixels of the PNG for each unit of the drawing")
