@@ -72,6 +72,7 @@ function describeStills(film) {
 function cameraButtons(box, cameras, choose) {
   if (cameras.length < 2) return [];
   const buttons = cameras.map((camera) => el("button", { type: "button", "data-camera": camera.id, text: camera.title,
+    title: camera === cameras[0] ? null : `${camera.stills.length} stills, no video`,
     on: { click: () => choose(camera) } }));
   box.append(el("div", { class: "cameras", role: "group", "aria-label": "Camera" }, ...buttons));
   return buttons;
@@ -177,6 +178,10 @@ function filmVideo(app, box) {
 // Outlines and names of things over the picture. Their elements are kept from one moment to the next, so that focus stays.
 function outlineLayer(app, over, unit) {
   const shapes = new Map();  // name -> elements
+  // Names lie over all outlines.
+  const lines = svg("g", { "pointer-events": "none" });
+  const areas = svg("g");
+  over.append(lines, areas);
   const path = (shape, dx, dy) => {
     let d = "", x = dx, y = dy;
     for (let i = 2; i < shape.length; i += 2) {
@@ -193,14 +198,15 @@ function outlineLayer(app, over, unit) {
       outline: svg("path", { class: "outline", "stroke-width": 4 * unit }),
       area: svg("path", { class: "area", "stroke-width": 3 * unit }),
       label: svg("text", { class: "name", "font-size": 23 * unit, "stroke-width": 6 * unit }) };
-    group.append(parts.halo, parts.outline, parts.area, parts.label);
+    lines.append(parts.halo, parts.outline);
+    group.append(parts.area, parts.label);
     shapes.set(name, parts);
     return parts;
   }
   // Names that would lie on each other: the lower one moves down.
   function separate(names) {
     const placed = [];
-    const size = 23 * unit;
+    const size = 26 * unit;
     for (const name of names.sort((a, b) => a.y - b.y)) {
       const half = widthOf(name.text, 23) * unit / 2;
       let y = name.y;
@@ -230,7 +236,11 @@ function outlineLayer(app, over, unit) {
   return {
     show(table, t, bound) {
       const places = placesAt(table, t);
-      for (const [name, parts] of shapes) if (!places.has(name)) parts.group.remove();
+      for (const [name, { group, halo, outline }] of shapes) {
+        if (places.has(name)) continue;
+        group.remove();
+        for (const part of [halo, outline]) part.setAttribute("d", "");
+      }
       const names = [];
       // Bound things last, so that they lie on top.
       for (const name of [...places.keys()].sort((a, b) => bound.has(a) - bound.has(b))) {
@@ -245,10 +255,10 @@ function outlineLayer(app, over, unit) {
         label.setAttribute("x", Math.round(shape[0] + dx));
         names.push({ node: label, text: label.textContent, x: shape[0] + dx, y: shape[1] + dy });
         // Moving an element in the document would take its focus away.
-        const in_place = group.parentNode === over && group.classList.contains("on-top") === is_bound;
+        const in_place = group.parentNode === areas && group.classList.contains("on-top") === is_bound;
         group.classList.toggle("on-top", is_bound);
         if (in_place) continue;
-        if (is_bound) over.append(group); else over.prepend(group);
+        if (is_bound) areas.append(group); else areas.prepend(group);
       }
       separate(names);
     },
