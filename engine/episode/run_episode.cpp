@@ -6,6 +6,7 @@
 
 #include "engine/base/text.h"
 #include "engine/episode/recorded_world.h"
+#include "engine/event/digest_sink.h"
 #include "engine/reason/reasoner.h"
 #include "engine/store/episode_writer.h"
 #include "engine/world/mujoco_world.h"
@@ -244,22 +245,14 @@ EpisodeHeader HeaderFor(const Scenario& scenario, const World& world, const std:
   header.settings["world.kind"] = description.kind;
   header.settings["world.cameras"] = Join(description.cameras, " ");
   header.settings["random_seed"] = std::to_string(scenario.random_seed);
-  for (const auto& [entity, body] : description.body_of_entity) header.settings["world.body." + entity] = body;
+  for (const auto& [entity, body] : description.body_of_entity)
+    header.settings["world.body." + entity] = body;
   for (const auto& [name, text] : scenario.files) header.files.push_back({name, text});
   if (!description.model_text.empty()) header.files.push_back({"world/scene.xml", description.model_text});
   for (const WorldAsset& asset : description.assets)
     header.files.push_back({"world/" + asset.name, asset.bytes});
   return header;
 }
-
-class DigestSink : public EventSink {
- public:
-  void Append(Event event) override { digest_.Add(event); }
-  Hash128 Value() const { return digest_.Value(); }
-
- private:
-  EventDigest digest_;
-};
 
 }  // namespace
 

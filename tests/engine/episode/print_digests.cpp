@@ -9,18 +9,10 @@
 
 #include "engine/episode/run_episode.h"
 #include "engine/episode/scenario.h"
+#include "engine/event/digest_sink.h"
 
 namespace aerascope {
 namespace {
-
-class DigestSink : public EventSink {
- public:
-  void Append(Event event) override { digest_.Add(event); }
-  Hash128 Value() const { return digest_.Value(); }
-
- private:
-  EventDigest digest_;
-};
 
 Status PrintDigest(const std::filesystem::path& path) {
   const auto scenario = LoadScenario(path.string());
@@ -31,8 +23,8 @@ Status PrintDigest(const std::filesystem::path& path) {
   DigestSink sink;
   const auto outcome = RunEpisode(*scenario, world->get(), &sink);
   if (!outcome) return outcome.error();
-  std::printf("%s: %lld events, digest %s\n", path.filename().c_str(), static_cast<long long>(outcome->events),
-              ToText(sink.Value()).c_str());
+  std::printf("%s: %lld events, digest %s\n", path.filename().c_str(),
+              static_cast<long long>(outcome->events), ToText(sink.Value()).c_str());
   return Ok();
 }
 

@@ -12,23 +12,26 @@ Term Holding(std::vector<Term> objects) {
   return MakeValue(E("h"), O("holding"), Set(std::move(objects)));
 }
 
-// The oracles of semantics 10.1.
-TEST(Evidence, OtherValueThroughoutTheIntervalSpeaksAgainst) {
+TEST(Oracle10_1, OtherValueThroughoutTheIntervalSpeaksAgainst) {
+  // OpenAERA (semantics 10.1): empty hand and held s, both [900,1000): negative.
   EXPECT_EQ(EvidenceFor(Holds(Holding({}), Ms(900, 1000)), Holds(Holding({E("s")}), Ms(900, 1000))),
             EvidenceVerdict::kNegative);
 }
 
-TEST(Evidence, OtherValueInPartOfTheIntervalSaysNothing) {
+TEST(Oracle10_1, OtherValueInPartOfTheIntervalSaysNothing) {
+  // OpenAERA (semantics 10.1): the same over [920,1000) only does not include the target: no evidence.
   EXPECT_EQ(EvidenceFor(Holds(Holding({}), Ms(920, 1000)), Holds(Holding({E("s")}), Ms(900, 1000))),
             EvidenceVerdict::kNone);
 }
 
-TEST(Evidence, AntiFactThatOverlapsSpeaksAgainst) {
+TEST(Oracle10_1, AntiFactThatOverlapsSpeaksAgainst) {
+  // OpenAERA (semantics 10.1): an anti-fact over [950,1100) overlaps, which is enough: negative.
   EXPECT_EQ(EvidenceFor(HoldsNot(Holding({E("s")}), Ms(950, 1100)), Holds(Holding({E("s")}), Ms(900, 1000))),
             EvidenceVerdict::kNegative);
 }
 
-TEST(Evidence, OtherValueSpeaksForAnAntiFact) {
+TEST(Oracle10_1, OtherValueSpeaksForAnAntiFact) {
+  // OpenAERA (semantics 10.1): an empty hand over [900,1000) for "s is not held" then: positive.
   EXPECT_EQ(EvidenceFor(Holds(Holding({}), Ms(900, 1000)), HoldsNot(Holding({E("s")}), Ms(900, 1000))),
             EvidenceVerdict::kPositive);
 }

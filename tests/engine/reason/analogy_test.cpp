@@ -360,6 +360,27 @@ TEST(Analogy107, WhatFellWithoutFailingMayBeMadeAgain) {
   EXPECT_EQ(Hypothesised(mind)[1]->canonical.hash, Hypothesised(mind)[0]->canonical.hash);
 }
 
+TEST(Analogy107, TheComparisonComponentByComponent) {
+  // OpenAERA (the trace of cst_519 at 710): holding yes, S3 no, S4 yes, S0 yes: three, the first that has as
+  // many, so one pair is built; the same comparison in paper mode.
+  for (const bool openaera : {false, true}) {
+    ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
+    Learn(&mind, Thing("s", "sphere", "large"));
+    mind.See(Scene(10, "s", 15));
+    mind.Want(Holding("s"));
+    mind.Wish();
+    std::vector<std::string> accepted;
+    for (const AnalogyCompared* compared : mind.All<AnalogyCompared>()) {
+      if (compared->verdict != AnalogyVerdict::kAccepted) continue;
+      accepted.emplace_back();
+      for (const ComparedComponent& component : compared->components)
+        accepted.back() += std::string(EnumName(component.status)) + " ";
+    }
+    EXPECT_THAT(accepted, ElementsAre("matched missed matched matched "));
+    EXPECT_EQ(Hypothesised(mind).size(), 1u);
+  }
+}
+
 TEST(Analogy107, ANestedConditionIsNeverGeneralised) {
   // OpenAERA: S4 itself matched in part (2 of 3) is not the left side of a requirement model, so it stays as
   // it is.

@@ -156,6 +156,28 @@ TEST(CreditInLife, Row12_AReleaseThatFailsOnceAndWorksAgain) {
   EXPECT_TRUE(halved);
 }
 
+TEST(CreditInLife, AReleaseOfAnotherThingNeedsOnlyANewCondition) {
+  // OpenAERA (semantics 10.4, release of c2): the causal model exists, only a composite state and a
+  // requirement model are created. Given a release learned on a cube,
+  Agent agent({Holds(Val("h", "essence", O("hand")), kAlways), Holds(Val("c", "shape", O("cube")), kAlways),
+               Holds(Val("d", "shape", O("sphere")), kAlways)},
+              {HandAt(1), ThingAt(2, "shape")});
+  agent.Sense(Hand("c"));
+  agent.Do(Cmd("release", {E("h")}));
+  agent.Sense(Hand(nullptr));
+  ASSERT_EQ(agent.Models(ModelKind::kCausal).size(), 1u) << agent.Text();
+  const std::size_t states = agent.kb().composite_states().size();
+  const std::size_t models = agent.kb().models().size();
+  // when a sphere is released,
+  agent.Sense(Hand("d"));
+  agent.Do(Cmd("release", {E("h")}));
+  agent.Sense(Hand(nullptr));
+  // then one composite state and one requirement model are new.
+  EXPECT_EQ(agent.Models(ModelKind::kCausal).size(), 1u);
+  EXPECT_EQ(agent.kb().composite_states().size(), states + 1);
+  EXPECT_EQ(agent.kb().models().size(), models + 1);
+}
+
 TEST(CreditInLife, WhatFailedIsNotLearnedAgain) {
   // OpenAERA (semantics 3.5, deleted-model memory): a black-listed CM also blocks its M_req.
   Agent agent({Holds(Val("h", "essence", O("hand")), kAlways)}, {HandAt(1)});

@@ -69,6 +69,29 @@ TEST(Oracle10_2, WhatStartsTwentyMillisecondsLaterIsOut) {
   EXPECT_FALSE(BecomesACondition(Holds(Val("h", "colour", O("red")), Ms(320, 400))));
 }
 
+TEST(Oracle10_2, AFactThatHasEndedIsOut) {
+  // OpenAERA (semantics 10.2): premise [300,400), a fact over [200,300).
+  EXPECT_FALSE(BecomesACondition(Holds(Val("h", "colour", O("red")), Ms(200, 300))));
+}
+
+TEST(Oracle10_2, ACommandIsOut) {
+  // OpenAERA (semantics 10.2): premise [300,400), a command that starts 20 ms later. Given a blink before the
+  // move,
+  Agent agent({Holds(Val("h", "essence", O("hand")), kAlways)});
+  agent.Sense({});
+  agent.Sense({Val("h", "position", N(0)), Val("h", "colour", O("red"))});
+  agent.Do(Cmd("blink", {E("h")}));
+  agent.Do(Cmd("move", {E("h"), N(5)}));
+  agent.Sense({Val("h", "position", N(5)), Val("h", "colour", O("red"))});
+  // then what is learned has conditions, and neither command is one.
+  ASSERT_FALSE(agent.kb().composite_states().empty()) << agent.Text();
+  for (const auto& [id, record] : agent.kb().composite_states()) {
+    for (const FactPattern& component : record.state.components) {
+      EXPECT_FALSE(IsCommand(component.payload)) << ToText(record.state);
+    }
+  }
+}
+
 // ---- 10.5 and the table of 3.3: a hand that holds nothing, and a large thing at its place
 
 // Its premise, requirement models and what a grasp then brings, with a choice of confidences; a negative one
