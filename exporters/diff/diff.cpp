@@ -105,7 +105,7 @@ Status WriteDiffJson(const KbDiffResult& difference, const DiffNames& names, std
                      {"changed", difference.changed},
                      {"same", difference.same},
                      {"items", std::move(items)}};
-  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  out << json.dump(2, ' ', true, Json::error_handler_t::replace) << "\n";
   out.flush();
   return StatusOf(out, "the difference");
 }

@@ -110,7 +110,7 @@ Status WriteEventsNdjson(const Run& run, const EventFilter& filter, std::ostream
                  {"simulation", ValueOf(event.simulation)},
                  {"causes", std::move(causes)}};
     line["body"] = std::visit([](const auto& body) { return FieldsOf(body); }, event.body);
-    out << line.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+    out << line.dump(-1, ' ', true, Json::error_handler_t::replace) << "\n";
   }
   out.flush();
   return StatusOf(out, "the list of events");

@@ -23,8 +23,8 @@ struct EventFilter {
 // Time, number, kind and a sentence.
 Status WriteEventsText(const Run& run, const EventFilter& filter, std::ostream& out);
 
-// {"id", "time_us", "frame", "kind", "simulation", "causes", "body"}. Ids as text (mdl_14), times in
-// microseconds, terms in their exact encoding (engine/kb/term_codec.h), enums by name, facts, evidence and
+// {"id", "time_us", "frame", "kind", "simulation", "causes", "body"}, in ASCII. Ids as text (mdl_14), times
+// in microseconds, terms in their exact encoding (engine/kb/term_codec.h), enums by name, facts, evidence and
 // intervals as objects.
 Status WriteEventsNdjson(const Run& run, const EventFilter& filter, std::ostream& out);
 

@@ -61,7 +61,7 @@ Status WriteModelGraphJson(const ModelGraph& graph, std::ostream& out) {
                      {"nodes", std::move(nodes)},
                      {"edges", std::move(edges)},
                      {"groups", std::move(groups)}};
-  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  out << json.dump(2, ' ', true, Json::error_handler_t::replace) << "\n";
   out.flush();
   return StatusOf(out, "the JSON export");
 }

@@ -1,4 +1,5 @@
-// The model graph as JSON, with keys in a fixed order: {"format", "version", "nodes", "edges", "groups"}.
+// The model graph as JSON in ASCII, with keys in a fixed order: {"format", "version", "nodes", "edges",
+// "groups"}.
 #pragma once
 
 #include <iosfwd>

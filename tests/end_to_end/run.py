@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Runs the end-to-end tests against a built program.
 
-    python3 run.py --program build/release/viewer/app/aerascope [-k WORD]...
+    python3 run.py --program build/release/viewer/app/aerascope [--hostile PROGRAM] [-k WORD]...
+
+--hostile names the program that writes episodes with hostile texts (tests/support); without it their cases are skipped.
 
 -k keeps the cases whose name contains a word. With GTEST_OUTPUT=xml:PATH in the environment the outcome of every case
 is also written to PATH as GoogleTest writes it, so that tests/summary.py counts them. Ends with status 1 if one failed.
@@ -18,7 +20,7 @@ from pathlib import Path
 import support
 
 TOPICS = ["demo_test", "trials_test", "killed_run_test", "bad_input_test", "comparison_test", "questions_test",
-          "scenarios_test"]
+          "scenarios_test", "hostile_test"]
 
 
 class CountedResult(unittest.TextTestResult):
@@ -89,6 +91,7 @@ def write_results(path, result):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", required=True, type=Path, help="the built aerascope")
+    parser.add_argument("--hostile", type=Path, help="the built program that writes episodes with hostile texts")
     parser.add_argument("-k", dest="words", action="append", default=[], help="only cases whose name contains this")
     arguments = parser.parse_args()
     if not os.access(arguments.program, os.X_OK):
@@ -97,7 +100,7 @@ def main():
     loader = unittest.TestLoader()
     if arguments.words:
         loader.testNamePatterns = [f"*{word}*" for word in arguments.words]
-    with support.use(arguments.program.resolve()):
+    with support.use(arguments.program.resolve(), arguments.hostile and arguments.hostile.resolve()):
         suite = loader.loadTestsFromNames(TOPICS)
         result = unittest.TextTestRunner(verbosity=2, resultclass=CountedResult).run(suite)
     kind, _, path = os.environ.get("GTEST_OUTPUT", "").partition(":")

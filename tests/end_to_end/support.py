@@ -31,16 +31,28 @@ CHEAP_FILM = ["--stills-per-second", "1", "--size", "320x180"]
 NO_EGL = {"__EGL_VENDOR_LIBRARY_DIRS": "/nonexistent", "LIBGL_DRIVERS_PATH": "/nonexistent"}
 
 _program = None
+_hostile_episodes = None
 _shared_folder = None
 
 
 @contextlib.contextmanager
-def use(program):
-    """Sets the program under test and the folder of shared episodes, which is removed at the end."""
-    global _program, _shared_folder
+def use(program, hostile_episodes=None):
+    """Sets the program under test, the one that writes hostile episodes, and the folder of shared episodes, which is
+    removed at the end."""
+    global _program, _hostile_episodes, _shared_folder
     with tempfile.TemporaryDirectory(prefix="aerascope-end-to-end-") as folder:
-        _program, _shared_folder = program, Path(folder)
+        _program, _hostile_episodes, _shared_folder = program, hostile_episodes, Path(folder)
         yield
+
+
+def hostile_episodes():
+    """The program that writes episodes with hostile texts into a folder; None if it was not named."""
+    return _hostile_episodes
+
+
+def shared_folder():
+    """The folder of what several tests look at."""
+    return _shared_folder
 
 
 @dataclass

@@ -10,8 +10,11 @@ const fixtures = ["full", "no_frames", "cut_short", "slipped", "hostile"];
 // Of every shipped scenario, run and reported by the program: what lies in the subfolder "scenarios".
 const scenarios = fs.readdirSync(path.join(folder, "scenarios"))
   .filter((name) => name.endsWith(".html")).map((name) => "scenarios/" + name.slice(0, -5)).sort();
+// Of episodes whose texts are hostile, endless, or whose numbers are none (tests/support/hostile_texts.h).
+const hostile = fs.readdirSync(path.join(folder, "hostile"))
+  .filter((name) => name.endsWith(".html")).map((name) => "hostile/" + name.slice(0, -5)).sort();
 const demo = "scenarios/pick_and_place";
 
 const fileOf = (name) => path.join(folder, name + ".html");
 
-module.exports = { demo, fileOf, fixtures, folder, scenarios };
+module.exports = { demo, fileOf, fixtures, folder, hostile, scenarios };
