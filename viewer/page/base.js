@@ -65,7 +65,9 @@ const clockText = (us) => (us / 1e6).toFixed(timeDecimals) + " s";
 // Of an event, to the millisecond; what is finer would not help.
 const secondsText = (us) => String(Number((us / 1e6).toFixed(3))) + " s";
 const tickText = (us) => String(Number((us / 1e6).toFixed(3)));
-const sureText = (value) => value.toFixed(2);
+// What is no number (the file may say so) is null here.
+const sureText = (value) => (Number.isFinite(value) ? value.toFixed(2) : "not a number");
+const shortNumber = (value) => (Number.isFinite(value) ? String(Number(value.toFixed(2))) : "not a number");
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 
 // The last item of a list, ordered by `at`, that is not after t; undefined before the first.

@@ -3,6 +3,7 @@
 const VIEWS = ["overview", "knowledge", "reasoning", "events"];
 
 class App {
+  /** @param {Report} report @param {EventLog} log */
   constructor(report, log) {
     this.report = report;
     this.log = log;
@@ -13,6 +14,8 @@ class App {
     this.view = "";
     this.theme = "";
     this.playing = 0;
+    /** @type {any} */
+    this.player = null;   // the film, where it is a video: it plays by itself
     this.saving = 0;
     this.saved = "";
     this.known = location.hash;   // the address as the page wrote or read it last

@@ -10,6 +10,7 @@
 #include "viewer/page/columns.h"
 #include "viewer/page/event_fields.h"
 #include "viewer/page/overloaded.h"
+#include "viewer/page/page_json.h"
 #include "viewer/page/shortened.h"
 
 namespace aerascope {
@@ -155,8 +156,7 @@ class LogAuthor {
         json values = FieldsOf(run_, events[i]);
         if (std::holds_alternative<AnalogyCompared>(events[i].body))
           values.push_back(ComparisonData(context_, events[i]));
-        // Text of an episode is any bytes; what is not UTF-8 is replaced rather than refused.
-        fields += values.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+        fields += PageJson(std::move(values)) + "\n";
       }
       if (Status written = later_->AddPacked("events", "text-" + std::to_string(n), "text/plain", sentences);
           !written)

@@ -243,7 +243,7 @@ function outlineLayer(app, over, unit) {
       }
       const names = [];
       // Bound things last, so that they lie on top.
-      for (const name of [...places.keys()].sort((a, b) => bound.has(a) - bound.has(b))) {
+      for (const name of [...places.keys()].sort((a, b) => Number(bound.has(a)) - Number(bound.has(b)))) {
         const { shape, dx, dy } = places.get(name);
         const { group, halo, outline, area, label } = elementsOf(name);
         const is_bound = bound.has(name);

@@ -421,7 +421,7 @@ function graphPane(app) {
     return item(card, rect, body, (t) => {
       const value = number === undefined ? 0 : log.sureAt(number, t) ?? 0;
       arc.setAttribute("stroke-dasharray", `${value * 100} 100`);
-      sure.textContent = value >= 0.995 ? "1.0" : value.toFixed(2).slice(1);
+      sure.textContent = value >= 0.995 ? "1.0" : sureText(value).replace(/^0/, "");
     }, card.strong ? "veto" : "");
   }
 

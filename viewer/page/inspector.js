@@ -166,7 +166,7 @@ function inspectorPane(app) {
     live.push((t) => {
       const step = lastAt(steps, t, (s) => s.at);
       counts.textContent = !step || step.total === undefined ? ""
-        : `Evidence: right ${Number(step.positive.toFixed(2))} of ${Number(step.total.toFixed(2))}` + (step.strong ? ", confirmed" : "") + (step.phasedOut ? ", phased out" : "") + ".";
+        : `Evidence: right ${shortNumber(step.positive)} of ${shortNumber(step.total)}` + (step.strong ? ", confirmed" : "") + (step.phasedOut ? ", phased out" : "") + ".";
     });
     return block(heading("How sure was it?", "confidence, moved by evidence"), picture, counts);
   }

@@ -38,6 +38,7 @@ function lanesPane(app) {
   }
   const marksOf = (lane) => lane.from.map((at, i) => ({ at, short: lanes.texts[lane.text[i]], text: lanes.texts[lane.full[i]], subject: app.report.subjects.id[lane.subject[i]] }))
     .sort((a, b) => a.at - b.at);
+  /** @type {[string, { bars: any[], rows: number, longest: number }, string][]} */
   const LANES = [["Goals", barsOf(lanes.goals), "left"], ["Commands", barsOf(lanes.commands), ""], ["Predictions", barsOf(lanes.predictions), "right"]];
   const MARKS = [[lanes.taught_label, marksOf(lanes.taught), "learned"], ["Learned: analogy", marksOf(lanes.analogy), "analogy"]];
 

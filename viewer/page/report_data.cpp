@@ -8,6 +8,7 @@
 #include "viewer/page/event_log_data.h"
 #include "viewer/page/film_data.h"
 #include "viewer/page/graph_data.h"
+#include "viewer/page/page_json.h"
 #include "viewer/page/report_context.h"
 #include "viewer/page/shortened.h"
 #include "viewer/page/subject_data.h"
@@ -36,7 +37,7 @@ class ReportAuthor {
         options_(options) {}
 
   json Write(json log) const {
-    return {{"title", Printable(run_.title())},
+    return {{"title", Shortened(Printable(run_.title()), kLongestTitle)},
             {"summary", Summary()},
             {"provenance", Provenance()},
             {"warning", Warning()},
@@ -380,15 +381,13 @@ Status AddReportData(const Run& run, const ReportFrames& frames, const std::vect
   auto log = AddEventLog(context, subjects, &blocks->first, &blocks->later);
   if (!log) return log.error();
   if (Status added = AddSubjectDetails(context, subjects, &blocks->first); !added) return added;
-  // Text of an episode is any bytes; what is not UTF-8 is replaced rather than refused.
-  return blocks->first.AddPacked("overview", "report-data", "application/json",
-                                 ReportAuthor(context, subjects, frames, images, options)
-                                     .Write(std::move(*log))
-                                     .dump(-1, ' ', false, json::error_handler_t::replace));
+  return blocks->first.AddPacked(
+      "overview", "report-data", "application/json",
+      PageJson(ReportAuthor(context, subjects, frames, images, options).Write(std::move(*log))));
 }
 
 std::string ReportTitle(const Run& run) {
-  return Printable(run.title()) + ": episode report";
+  return Shortened(Printable(run.title()), kLongestTitle) + ": episode report";
 }
 
 }  // namespace aerascope

@@ -5,6 +5,7 @@
 
 #include "engine/base/text.h"
 #include "viewer/page/analogy_data.h"
+#include "viewer/page/page_json.h"
 #include "viewer/page/shortened.h"
 
 namespace aerascope {
@@ -320,9 +321,8 @@ Status AddSubjectDetails(const ReportContext& context, const SubjectTable& subje
     json details = json::array();
     for (std::size_t i = start; i < std::min(start + kSubjectsABlock, list.size()); ++i)
       details.push_back(author.Write(list[i]));
-    // Text of an episode is any bytes; what is not UTF-8 is replaced rather than refused.
     Status written = blocks->AddPacked("subjects", "subjects-" + std::to_string(n), "application/json",
-                                       details.dump(-1, ' ', false, json::error_handler_t::replace));
+                                       PageJson(std::move(details)));
     if (!written) return written;
   }
   return {};

@@ -46,7 +46,7 @@ async function open(browser, name, { hash = "", width = 1440, height = 900, ...o
   return { page, noise, opened: Date.now() - started, close: () => context.close() };
 }
 
-const ready = (page, timeout = 20000) =>
+const ready = (page, timeout = 60000) =>
   page.waitForFunction(() => document.documentElement.dataset.ready === "true", null, { timeout });
 
 const time = (page) => page.locator("#time").textContent();
