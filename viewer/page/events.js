@@ -22,7 +22,10 @@ function eventsPane(app) {
   const boxes = log.kinds.map((kind, number) => {
     const input = el("input", { type: "checkbox", checked: !off.has(number) });
     input.addEventListener("change", () => { if (input.checked) off.delete(number); else off.add(number); refresh(); });
-    return { number, input, row: counts[number] ? el("label", { title: kind.meaning }, input, " " + kind.title, el("span", { class: "quiet", text: " " + counts[number] })) : "" };
+    const alone = el("button", { type: "button", class: "link", text: "only", "aria-label": "Only " + kind.title.toLowerCase(),
+      on: { click: () => only((one) => one === number) } });
+    return { number, input, row: counts[number] ? el("div", { class: "kind-row" },
+      el("label", { title: kind.meaning }, input, " " + kind.title, el("span", { class: "quiet", text: " " + counts[number] })), alone) : "" };
   });
   const only = (some) => {
     for (const { number, input } of boxes) { input.checked = some(number); if (input.checked) off.delete(number); else off.add(number); }
