@@ -1,7 +1,5 @@
 #include "engine/reason/situation.h"
 
-#include <algorithm>
-
 #include "engine/kb/pattern_index.h"
 
 namespace aerascope {
@@ -9,11 +7,6 @@ namespace {
 
 // The entry of a slot for patterns that leave it open.
 constexpr std::uint64_t kOpen = pattern_index::kOpen;
-
-bool PassesWithItsFrame(const SituationFact& fact) {
-  return !fact.components.empty() || IsIcst(fact.fact.payload) || IsCommand(fact.fact.payload) ||
-         IsImdl(fact.fact.payload);
-}
 
 }  // namespace
 
@@ -80,26 +73,6 @@ std::size_t Situation::FindMatch(const Term& payload, bool positive, const Bindi
     trial.Restore(mark);
   }
   return npos;
-}
-
-Situation Situation::Successor(const std::vector<SituationFact>& effects, Duration period) const {
-  Situation next({interval_.after + period, interval_.before + period});
-  next.content_->facts.reserve(facts().size() + effects.size());
-  for (const SituationFact& fact : facts()) {
-    if (PassesWithItsFrame(fact)) continue;
-    const bool contradicted = std::any_of(effects.begin(), effects.end(), [&](const SituationFact& effect) {
-      return SameValue(effect.fact.payload, fact.fact.payload) ||
-             ContradictsValue(effect.fact.payload, fact.fact.payload);
-    });
-    if (contradicted && !fact.permanent) continue;
-    SituationFact copy = fact;
-    if (!copy.permanent) {
-      copy.fact.interval = {fact.fact.interval.after + period, fact.fact.interval.before + period};
-    }
-    next.Add(std::move(copy));
-  }
-  for (const SituationFact& effect : effects) next.Add(effect);
-  return next;
 }
 
 }  // namespace aerascope

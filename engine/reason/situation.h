@@ -62,11 +62,6 @@ class Situation {
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
   std::size_t FindMatch(const Term& payload, bool positive, const Bindings& bindings) const;
 
-  // The situation one period later if only `effects` change: what is not contradicted persists
-  // (semantics 3.1, promotion), over the same part of the period. Instances, requirements and passing events
-  // (commands) do not carry over.
-  Situation Successor(const std::vector<SituationFact>& effects, Duration period) const;
-
  private:
   struct Content {
     std::vector<SituationFact> facts;
