@@ -23,7 +23,7 @@ function eventsPane(app) {
     const input = el("input", { type: "checkbox", checked: !off.has(number) });
     input.addEventListener("change", () => { if (input.checked) off.delete(number); else off.add(number); refresh(); });
     const alone = el("button", { type: "button", class: "link", text: "only", "aria-label": "Only " + kind.title.toLowerCase(),
-      on: { click: () => only((one) => one === number) } });
+      on: { click: () => { only((one) => one === number); kinds.open = false; } } });
     return { number, input, row: counts[number] ? el("div", { class: "kind-row" },
       el("label", { title: kind.meaning }, input, " " + kind.title, el("span", { class: "quiet", text: " " + counts[number] })), alone) : "" };
   });

@@ -321,7 +321,7 @@ function lanesPane(app) {
   field.addEventListener("pointerdown", press);
   // Where a name reaches over the field, a drag that begins on it is a drag.
   labels.addEventListener("pointerdown", (event) => {
-    if (event.clientX > field.getBoundingClientRect().left) press(event);
+    if (event.clientX > labels.getBoundingClientRect().right) press(event);
   });
   field.addEventListener("pointermove", (event) => {
     if (!dragging) return;

@@ -20,7 +20,8 @@ function overviewPane(app) {
         el("span", { class: "quiet", text: `wanted at ${secondsText(drive.from)}, ${words}` })),
       el("p", { class: "quiet" }, done.length ? "by " : "nothing was done for it",
         ...done.slice(0, 4).flatMap((command, k) => [k ? ", " : "", el("button", { type: "button", class: "link plain", text: command.title, on: { click: () => { app.select(command.id); app.go(command.born); } } })]),
-        done.length > 4 ? ` and ${done.length - 4} more` : ""));
+        done.length > 4 ? ` and ${done.length - 4} more` : ""),
+      el("p", {}, el("button", { type: "button", class: "link", text: "how it looked for a way", on: { click: () => { app.go(drive.from); app.select(subject.id); app.setView("reasoning"); } } })));
   }
 
   function pieceRow([number]) {

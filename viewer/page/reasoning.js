@@ -145,7 +145,8 @@ function reasoningPane(app) {
       node.classList.toggle("current", Boolean(on));
       // The plan that was asked for is open.
       if (on && node.tagName === "SUMMARY") node.parentElement.open = true;
-      if (on && pane.bringSelected) node.scrollIntoView({ block: "nearest" });
+      // What lies below a goal is what was asked for.
+      if (on && pane.bringSelected) node.scrollIntoView({ block: node.dataset.subject ? "start" : "nearest" });
     }
     pane.bringSelected = false;
   }

@@ -52,7 +52,7 @@ function searchPane(app, story, graph, events) {
     choose(at < 0 ? (by > 0 ? 0 : found.length - 1) : (at + by + found.length) % found.length);
   }
   input.addEventListener("input", search);
-  input.addEventListener("focus", () => { if (input.value) results.hidden = false; });
+  for (const again of ["focus", "click"]) input.addEventListener(again, () => { if (input.value) results.hidden = false; });
   input.addEventListener("keydown", (event) => {
     if (event.key === "Escape") { event.preventDefault(); leave(); }
     if (event.key === "Enter") { event.preventDefault(); next(event.shiftKey ? -1 : 1); }
