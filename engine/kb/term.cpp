@@ -46,16 +46,7 @@ PayloadKind PayloadKindOf(TermKind kind, std::string_view head, std::size_t size
 [[gnu::init_priority(101)]] const Term::Node Term::kNil{.hash = HashAtom(TermKind::kNil, 0, 0, ""),
                                                         .text = {}};
 
-// What makes a term the one it is.
-struct Term::Content {
-  TermKind kind = TermKind::kNil;
-  std::int64_t integer = 0;
-  double number = 0;
-  std::string_view text;
-  std::span<const Term> items;
-};
-
-// All nodes of the process, found by content. In parts with a lock each, so that threads seldom meet.
+// All nodes of a space, found by content. In parts with a lock each, so that threads seldom meet.
 class Term::Table {
  public:
   // One use of the node with this content is the caller's.
@@ -66,11 +57,13 @@ class Term::Table {
     const std::lock_guard lock(part.mutex);
     for (const Node* node = part.heads[hash & part.mask]; node; node = node->next) {
       if (node->hash == hash && Same(*node, content)) {
-        node->uses.fetch_add(1, std::memory_order_relaxed);
+        Retain(node);
         return node;
       }
     }
     Node* node = Create(content, hash);
+    node->table = this;
+    node->serial = ++part.created * kParts + static_cast<std::uint64_t>(&part - parts_.data());
     if (part.count > part.mask) part.Grow();
     Node*& head = part.heads[hash & part.mask];
     node->next = head;
@@ -94,6 +87,9 @@ class Term::Table {
     Destroy(node);
   }
 
+  // From now on the node's users are not counted, and it is never freed.
+  static void KeepForever(const Node* node) { node->uses.store(kForever, std::memory_order_relaxed); }
+
   std::size_t Count() {
     std::size_t count = 0;
     for (Part& part : parts_) {
@@ -104,10 +100,13 @@ class Term::Table {
   }
 
  private:
+  static constexpr std::size_t kParts = 64;
+
   struct Part {
     std::mutex mutex;
     std::uint64_t mask = 255;
     std::size_t count = 0;
+    std::uint64_t created = 0;
     std::vector<Node*> heads = std::vector<Node*>(256, nullptr);
 
     void Grow() {
@@ -125,7 +124,10 @@ class Term::Table {
     }
   };
 
-  Part& PartOf(std::uint64_t hash) { return parts_[hash >> 58]; }
+  Part& PartOf(std::uint64_t hash) {
+    static_assert(kParts == 64);
+    return parts_[hash >> 58];
+  }
 
   static bool Same(const Node& node, const Content& content) {
     return node.kind == content.kind && node.integer == content.integer &&
@@ -166,7 +168,7 @@ class Term::Table {
     ::operator delete(const_cast<Node*>(node));
   }
 
-  std::array<Part, 64> parts_;
+  std::array<Part, kParts> parts_;
 };
 
 namespace {
@@ -177,21 +179,46 @@ constexpr int kCommonVariables = 32;
 }  // namespace
 
 // Never destroyed: terms may outlive every other static object.
-Term::Table& Term::TheTable() {
+Term::Table& Term::CommonTable() {
   static Table* const table = new Table;
   return *table;
 }
 
+thread_local Term::Table* Term::own_table_ = nullptr;
+
 Term Term::Make(const Content& content) {
-  return Term(TheTable().Find(content));
+  return Term((own_table_ ? *own_table_ : CommonTable()).Find(content));
 }
 
 void Term::ReleaseLast(const Node* node) {
-  TheTable().Drop(node);
+  node->table->Drop(node);
 }
 
 std::size_t Term::CountNodes() {
-  return TheTable().Count();
+  return CommonTable().Count();
+}
+
+// An atom that is the same in all spaces.
+Term Term::Everywhere(TermKind kind, std::int64_t integer) {
+  const Node* node = CommonTable().Find({.kind = kind, .integer = integer, .text = {}, .items = {}});
+  Table::KeepForever(node);
+  return Term(node);
+}
+
+TermSpace::TermSpace() : table_(std::make_unique<Term::Table>()) {}
+
+TermSpace::~TermSpace() {
+  assert(table_->Count() == 0 && "a space outlives its terms");
+}
+
+std::size_t TermSpace::CountNodes() const {
+  return table_->Count();
+}
+
+TermSpace::Scope::Scope(TermSpace& space) : outer_(std::exchange(Term::own_table_, space.table_.get())) {}
+
+TermSpace::Scope::~Scope() {
+  Term::own_table_ = outer_;
 }
 
 Term Term::Atom(TermKind kind, std::int64_t integer) {
@@ -223,14 +250,14 @@ Term Term::Variable(int index) {
   assert(index >= 0);
   static const std::vector<Term> common = [] {
     std::vector<Term> variables;
-    for (int i = 0; i < kCommonVariables; ++i) variables.push_back(Atom(TermKind::kVariable, i));
+    for (int i = 0; i < kCommonVariables; ++i) variables.push_back(Everywhere(TermKind::kVariable, i));
     return variables;
   }();
   return index < kCommonVariables ? common[static_cast<std::size_t>(index)]
                                   : Atom(TermKind::kVariable, index);
 }
 Term Term::Wildcard() {
-  static const Term wildcard = Atom(TermKind::kWildcard, 0);
+  static const Term wildcard = Everywhere(TermKind::kWildcard, 0);
   return wildcard;
 }
 Term Term::Set(std::span<const Term> items) {

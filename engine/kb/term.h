@@ -6,14 +6,19 @@
 // one node for each content in the whole process, counted by its users and freed with the last. So copies are
 // cheap, equality is a comparison of pointers, and terms may be made, copied and dropped in any thread.
 //
-// Always true: (1) equal terms share one node, and have equal hashes on every machine; (2) every number has
-// at most 9 significant decimal digits; (3) a term is never deeper than kMaxTermDepth.
+// A TermSpace is a world of terms apart, for work on copies of terms beside the thread that has the
+// originals.
+//
+// Always true: (1) equal terms of one space share one node, and equal terms have equal hashes on every
+// machine; (2) every number has at most 9 significant decimal digits; (3) a term is never deeper than
+// kMaxTermDepth.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -117,10 +122,15 @@ class Term {
   // A total order by content, the same on every machine: kind, then value, then elements.
   bool operator<(const Term& other) const;
 
-  // How many different terms there are in the process now; for tests and measurements.
+  // How many different terms there are now outside of any TermSpace; for tests and measurements.
   static std::size_t CountNodes();
 
  private:
+  friend class TermSpace;
+  friend class TermPacker;
+  friend class TermUnpacker;
+
+  class Table;
   struct Node {
     TermKind kind = TermKind::kNil;
     PayloadKind payload_kind = PayloadKind::kOther;
@@ -133,18 +143,28 @@ class Term {
     std::uint64_t hash = 0;
     const Term* items = nullptr;  // in the same block of memory
     Node* next = nullptr;         // in the table of nodes
+    Table* table = nullptr;
+    std::uint64_t serial = 0;  // never used twice in a space; 0: nil
     std::string text;
   };
-  struct Content;
-  class Table;
+  // What makes a term the one it is.
+  struct Content {
+    TermKind kind = TermKind::kNil;
+    std::int64_t integer = 0;
+    double number = 0;
+    std::string_view text;
+    std::span<const Term> items;
+  };
 
   static constexpr std::uint32_t kForever = ~std::uint32_t{0};  // not counted, never freed
   static const Node kNil;
 
   explicit Term(const Node* node) : node_(node) {}  // takes over one use
-  static Table& TheTable();
+  static Table& CommonTable();
+  static thread_local Table* own_table_;  // of the space this thread is in; null outside of any
   static Term Make(const Content& content);
   static Term Atom(TermKind kind, std::int64_t integer);
+  static Term Everywhere(TermKind kind, std::int64_t integer);
   static void Retain(const Node* node) {
     if (node->uses.load(std::memory_order_relaxed) != kForever) {
       node->uses.fetch_add(1, std::memory_order_relaxed);
@@ -161,6 +181,37 @@ class Term {
   static void ReleaseLast(const Node* node);
 
   const Node* node_;
+};
+
+// A TermSpace has a table of terms of its own: terms made by a thread while it is in the space share nodes
+// among themselves only. Counting the users of a node that another thread works with costs both threads; who
+// works with copies in a space of its own (made from packed ones, term_packing.h) disturbs nobody.
+//
+// Terms of different spaces are never equal, nor equal to terms made outside; only nil, the wildcard and low
+// variables are the same everywhere. A space outlives its terms.
+class TermSpace {
+ public:
+  TermSpace();
+  ~TermSpace();
+  TermSpace(const TermSpace&) = delete;
+  TermSpace& operator=(const TermSpace&) = delete;
+
+  std::size_t CountNodes() const;
+
+  // This thread is in the space until the Scope ends.
+  class Scope {
+   public:
+    explicit Scope(TermSpace& space);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Term::Table* outer_;
+  };
+
+ private:
+  std::unique_ptr<Term::Table> table_;
 };
 
 // For people: names bare, variables as v3, or by the given names (index = variable number) where there are

@@ -18,6 +18,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/event/event_packing.h"
 #include "engine/kb/term_codec.h"
 #include "engine/store/column_codec.h"
 #include "engine/store/database.h"
@@ -33,8 +34,10 @@ constexpr std::size_t kMostQueuedEvents = 8192;
 constexpr std::size_t kMostQueuedBytes = 32u << 20;
 // The writer is woken early at this fill; else it looks every kLookEvery, which spares the reasoner the
 // waking.
-constexpr std::size_t kWakeAt = 1024;
-constexpr std::chrono::milliseconds kLookEvery{5};
+constexpr std::size_t kWakeAt = 2048;
+constexpr std::chrono::milliseconds kLookEvery{10};
+// What a reasoner says until the writer looks again is packed in memory that is there already.
+constexpr std::size_t kPreparedBytes = 512u << 10;
 constexpr int kEventsPerTransaction = 4096;
 constexpr std::chrono::milliseconds kLongestTransaction{50};
 // Terms remembered for interning, in two generations, so that memory stays bounded in a run of any length.
@@ -52,15 +55,6 @@ constexpr std::streamoff kVersionValidForOffset = 92;
 struct HashTerm {
   std::size_t operator()(const Term& term) const { return static_cast<std::size_t>(term.hash()); }
 };
-
-// Roughly the memory an event takes while it waits. Terms are shared with the reasoner and not counted.
-std::size_t WaitingBytes(const Event& event) {
-  std::size_t bytes = sizeof(Event) + event.causes.size() * sizeof(EventId);
-  if (const auto* world = std::get_if<WorldStateRecorded>(&event.body)) {
-    bytes += (world->qpos.size() + world->qvel.size() + world->ctrl.size()) * sizeof(double);
-  }
-  return bytes;
-}
 
 // An episode or an empty file may be replaced; nothing else is.
 Status MayReplace(const std::string& path) {
@@ -439,15 +433,19 @@ class Store : public ContentIds {
 
 }  // namespace
 
-// The queue between the appending thread and the writer's.
+// The queue between the appending thread and the writer's: events packed, so that the threads share no memory
+// but the bytes that are handed over.
 struct EpisodeWriter::State {
+  TermSpace space;  // of all terms in the writer's thread
   Store store;
 
   std::mutex mutex;
   std::condition_variable work;  // the writer waits for events, a flush, or the end
   std::condition_variable room;  // Append waits for the queue to empty, Flush for the commit
-  std::vector<Event> queue;
-  std::size_t queued_bytes = 0;
+  EventPacker packer;
+  PackedBytes queue;
+  PackedBytes batch;  // what the writer is at; the two change places
+  std::size_t queued_events = 0;
   std::int64_t appended = 0;  // events given to Append
   std::int64_t handled = 0;   // of those: committed, or dropped after trouble
   bool writer_idle = false;   // waiting without limit: wake it for the first event
@@ -463,7 +461,8 @@ struct EpisodeWriter::State {
 };
 
 void EpisodeWriter::State::Write() {
-  std::vector<Event> batch;
+  const TermSpace::Scope in_space(space);
+  EventUnpacker unpacker;
   std::int64_t taken = 0;
   int in_transaction = 0;
   Clock::time_point deadline;
@@ -471,10 +470,10 @@ void EpisodeWriter::State::Write() {
     bool commit_now = false;
     {
       std::unique_lock lock(mutex);
-      const auto urgent = [&] { return stop || flush || queue.size() >= kWakeAt; };
-      if (queue.empty() && in_transaction == 0) {
+      const auto urgent = [&] { return stop || flush || queued_events >= kWakeAt; };
+      if (queued_events == 0 && in_transaction == 0) {
         writer_idle = true;
-        work.wait(lock, [&] { return urgent() || !queue.empty(); });
+        work.wait(lock, [&] { return urgent() || queued_events > 0; });
         writer_idle = false;
       }
       work.wait_for(lock, kLookEvery, urgent);
@@ -482,10 +481,11 @@ void EpisodeWriter::State::Write() {
       last_round = stop;
       flush = false;
       batch.swap(queue);
-      queued_bytes = 0;
+      queued_events = 0;
     }
     room.notify_all();
-    for (const Event& event : batch) {
+    for (PackedReader reader(batch); !reader.at_end();) {
+      const Event event = unpacker.Unpack(&reader);
       if (in_transaction == 0) {
         store.Begin();
         deadline = Clock::now() + kLongestTransaction;
@@ -538,6 +538,7 @@ Result<std::unique_ptr<EpisodeWriter>> EpisodeWriter::Create(const std::string& 
   if (Status allowed = MayReplace(path); !allowed) return allowed.error();
   auto state = std::make_unique<State>();
   if (Status created = state->store.Create(path, header); !created) return created.error();
+  for (PackedBytes* bytes : {&state->queue, &state->batch}) bytes->Prepare(kPreparedBytes);
   State* shared = state.get();
   state->thread = std::thread([shared] { shared->Write(); });
   return std::unique_ptr<EpisodeWriter>(new EpisodeWriter(std::move(state)));
@@ -545,17 +546,16 @@ Result<std::unique_ptr<EpisodeWriter>> EpisodeWriter::Create(const std::string& 
 
 void EpisodeWriter::Append(Event event) {
   State& state = *state_;
-  const std::size_t bytes = WaitingBytes(event);
   bool wake = false;
   {
     std::unique_lock lock(state.mutex);
     state.room.wait(lock, [&] {
-      return state.queue.size() < kMostQueuedEvents && state.queued_bytes < kMostQueuedBytes;
+      return state.queued_events < kMostQueuedEvents && state.queue.size() < kMostQueuedBytes;
     });
-    state.queue.push_back(std::move(event));
-    state.queued_bytes += bytes;
+    state.packer.Pack(event, &state.queue);
+    ++state.queued_events;
     ++state.appended;
-    wake = state.queue.size() == kWakeAt || state.writer_idle || state.queued_bytes >= kMostQueuedBytes;
+    wake = state.queued_events == kWakeAt || state.writer_idle || state.queue.size() >= kMostQueuedBytes;
   }
   if (wake) state.work.notify_one();
 }

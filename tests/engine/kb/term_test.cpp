@@ -42,6 +42,30 @@ TEST(Term, AreMadeCopiedAndDroppedInAnyThread) {
   EXPECT_EQ(Term::CountNodes(), before) << "terms are left over";
 }
 
+// Own: the terms of a space are its own; what has no content to share is the same everywhere.
+TEST(TermSpace, KeepsItsTermsApartFromThoseOutside) {
+  const Term outside = MakeValue(E("h"), O("position"), N(1));
+  const std::size_t before = Term::CountNodes();
+  TermSpace space;
+  {
+    Term inside;
+    {
+      const TermSpace::Scope in_space(space);
+      inside = MakeValue(E("h"), O("position"), N(1));
+      EXPECT_EQ(inside, MakeValue(E("h"), O("position"), N(1))) << "one node in the space";
+      EXPECT_EQ(Term::Variable(3), V(3));
+      EXPECT_EQ(Term::Nil(), Term());
+    }
+    EXPECT_NE(inside, outside);
+    EXPECT_EQ(inside.hash(), outside.hash());
+    EXPECT_EQ(Encode(inside), Encode(outside));
+    EXPECT_EQ(Term::CountNodes(), before);
+    EXPECT_EQ(space.CountNodes(), 4u) << "the struct and its three parts";
+    EXPECT_EQ(MakeValue(E("h"), O("position"), N(1)), outside) << "the thread has left the space";
+  }
+  EXPECT_EQ(space.CountNodes(), 0u);
+}
+
 TEST(Term, IsEqualByContent) {
   EXPECT_EQ(Struct("vec2", {N(0.1), N(0.2)}), Struct("vec2", {N(0.1), N(0.2)}));
   EXPECT_NE(Struct("vec2", {N(0.1), N(0.2)}), Struct("vec3", {N(0.1), N(0.2)}));
