@@ -730,29 +730,39 @@ struct InstanceProgress {
   }
 };
 
-// Why a prediction that rested on others is no longer open.
+// Why a prediction is no longer open, though nothing showed whether it is right. All but kOutweighed are of
+// predictions that rested on others.
 enum class InvalidationReason {
   kPremiseContradicted,  // what it rested on did not come true
   kRenewed,              // what it rested on was seen, and the same is predicted from that
   kNotRenewed,           // what it rested on was seen, but nothing is predicted from that
   kOverdue,              // its time came before what it rested on was decided
+  kOutweighed,           // a surer prediction speaks against it
+  kPremiseOutweighed,    // a surer prediction speaks against what it rested on
 };
 template <>
-inline constexpr std::array<std::string_view, 4> kEnumNames<InvalidationReason>{
-    "premise_contradicted", "renewed", "not_renewed", "overdue"};
+inline constexpr std::array<std::string_view, 6> kEnumNames<InvalidationReason>{
+    "premise_contradicted", "renewed", "not_renewed", "overdue", "outweighed", "premise_outweighed"};
 
 struct PredictionInvalidated {
   PredictionId prediction;
   FactId by;
   InvalidationReason reason = InvalidationReason::kPremiseContradicted;
+  PredictionId surer = {};
   static constexpr std::string_view kName = "PredictionInvalidated";
   static constexpr std::string_view kMeaning =
-      "A prediction that rested on others is given up: it is neither right nor wrong.";
+      "A prediction that rested on others, or that a surer one speaks against, is given up: it is neither "
+      "right nor wrong.";
   static constexpr auto Fields() {
-    return std::tuple{Field{"prediction", "the prediction", &PredictionInvalidated::prediction},
-                      Field{"by", "the fact that decided what it rested on; none if nothing came in time",
-                            &PredictionInvalidated::by},
-                      Field{"reason", "why it is given up", &PredictionInvalidated::reason}};
+    return std::tuple{
+        Field{"prediction", "the prediction", &PredictionInvalidated::prediction},
+        Field{"by",
+              "the fact that decided what it rested on; none if nothing came in time, or if a "
+              "prediction decided",
+              &PredictionInvalidated::by},
+        Field{"reason", "why it is given up", &PredictionInvalidated::reason},
+        Field{"surer", "the surer prediction that speaks against it or against what it rested on; else none",
+              &PredictionInvalidated::surer}};
   }
 };
 

@@ -123,6 +123,10 @@ std::string_view Words(InvalidationReason reason) {
       return "what it rested on was seen, but it does not follow from that";
     case InvalidationReason::kOverdue:
       return "its time came before what it rested on was decided";
+    case InvalidationReason::kOutweighed:
+      return "something else is expected more surely";
+    case InvalidationReason::kPremiseOutweighed:
+      return "instead of what it rested on, something else is expected more surely";
   }
   return {};
 }
@@ -355,7 +359,8 @@ class Teller {
   }
   std::string Of(const PredictionInvalidated& e) const {
     return "No longer expected as it was: " + PredictionTarget(e.prediction) + " (" +
-           std::string(Words(e.reason)) + (e.by.valid() ? ": " + FactOf(e.by) : "") + ").";
+           std::string(Words(e.reason)) + (e.by.valid() ? ": " + FactOf(e.by) : "") +
+           (e.surer.valid() ? ": " + PredictionTarget(e.surer) : "") + ").";
   }
   std::string Of(const FactPromoted& e) const { return "Holds on: " + Text(e.fact) + "."; }
   std::string Of(const PromotionDefeated& e) const {

@@ -38,12 +38,19 @@ struct Expectations::ExpectedFrame {
 
 // ------------------------------------------------------------------------------------------------ giving up
 
-void Expectations::Invalidate(PredictionId id, InvalidationReason reason, FactId by, EventId because,
-                              Conclusions* concluded, Time now) {
-  const EventId made = journal_.knowledge().predictions().at(id).event;
-  const EventId event = journal_.Write(now, PredictionInvalidated{id, by, reason}, {because, made});
-  (*concluded)[id] = {event, false, by};
-  links_.erase(id);
+void Expectations::Invalidate(const PredictionInvalidated& end, EventId because, Conclusions* concluded,
+                              Time now) {
+  const EventId made = journal_.knowledge().predictions().at(end.prediction).event;
+  const EventId event = journal_.Write(now, end, {because, made});
+  (*concluded)[end.prediction] = {event, false, end.by, end.surer};
+  links_.erase(end.prediction);
+}
+
+void Expectations::Outweigh(const Outweighed& one, Conclusions* concluded, Time now) {
+  const auto& open = journal_.knowledge().predictions();
+  outweighed_.emplace(one.surer, open.at(one.prediction));
+  Invalidate({one.prediction, {}, InvalidationReason::kOutweighed, one.surer}, open.at(one.surer).event,
+             concluded, now);
 }
 
 void Expectations::GiveUp(Conclusions* concluded, Time now) {
@@ -57,7 +64,11 @@ void Expectations::GiveUp(Conclusions* concluded, Time now) {
       const auto end = concluded->find(ground);
       if (end == concluded->end() || end->second.came_true) continue;
       const Conclusion why = end->second;
-      Invalidate(id, InvalidationReason::kPremiseContradicted, why.shown_by, why.event, concluded, now);
+      Invalidate({id, why.shown_by,
+                  why.surer.valid() ? InvalidationReason::kPremiseOutweighed
+                                    : InvalidationReason::kPremiseContradicted,
+                  why.surer},
+                 why.event, concluded, now);
       break;
     }
   }
@@ -81,14 +92,14 @@ std::vector<Expectations::Renewal> Expectations::Renew(Conclusions* concluded, T
     }
     if (with_its_ground) {
       given_up[id] = *with_its_ground;
-      Invalidate(id, *with_its_ground, link.shown_by, link.seen, concluded, now);
+      Invalidate({id, link.shown_by, *with_its_ground}, link.seen, concluded, now);
       continue;
     }
     std::erase_if(link.grounds, [&](PredictionId ground) { return concluded->contains(ground); });
     const PredictionRecord& record = open.at(id);
     if (!link.grounds.empty()) {
       if (record.target.interval.before + kTimeTolerance <= now)
-        Invalidate(id, InvalidationReason::kOverdue, {}, record.event, concluded, now);
+        Invalidate({id, {}, InvalidationReason::kOverdue}, record.event, concluded, now);
       continue;
     }
     const auto anew = std::find_if(open.begin(), open.end(), [&](const auto& entry) {
@@ -101,7 +112,7 @@ std::vector<Expectations::Renewal> Expectations::Renew(Conclusions* concluded, T
     const FactId by = link.shown_by;
     if (anew == open.end()) {
       given_up[id] = InvalidationReason::kNotRenewed;
-      Invalidate(id, InvalidationReason::kNotRenewed, by, link.seen, concluded, now);
+      Invalidate({id, by, InvalidationReason::kNotRenewed}, link.seen, concluded, now);
       continue;
     }
     const PredictionRecord renewed = anew->second;
@@ -113,7 +124,7 @@ std::vector<Expectations::Renewal> Expectations::Renew(Conclusions* concluded, T
     } else {
       given_up[id] = InvalidationReason::kRenewed;
     }
-    Invalidate(id, InvalidationReason::kRenewed, by, renewed.event, concluded, now);
+    Invalidate({id, by, InvalidationReason::kRenewed}, renewed.event, concluded, now);
     renewals.push_back({id, renewed.id});
   }
   return renewals;
@@ -123,6 +134,8 @@ std::vector<Expectations::Renewal> Expectations::Renew(Conclusions* concluded, T
 
 void Expectations::Extend(const Situation& present, const std::vector<Requirement>& said, Time now) {
   const KnowledgeBase& knowledge = journal_.knowledge();
+  std::erase_if(outweighed_,
+                [&](const auto& entry) { return !knowledge.predictions().contains(entry.first); });
   for (auto it = knowledge.models().upper_bound(last_seen_); it != knowledge.models().end(); ++it) {
     last_seen_ = it->first;
     if (FiresOnFacts(it->second.model) && IsIcst(it->second.model.lhs.payload)) on_states_.insert(it->first);
@@ -265,12 +278,14 @@ bool Expectations::FireOn(const Fact& input, const std::vector<PredictionId>& gr
 }
 
 bool Expectations::Predicted(ModelId model, const Fact& target) const {
-  const auto& open = journal_.knowledge().predictions();
-  return std::any_of(open.begin(), open.end(), [&](const auto& entry) {
+  const auto same = [&](const auto& entry) {
     const PredictionRecord& other = entry.second;
     return other.model == model && other.target.confidence > 0 && other.target.positive == target.positive &&
            other.target.interval == target.interval && SameValue(other.target.payload, target.payload);
-  });
+  };
+  const auto& open = journal_.knowledge().predictions();
+  return std::any_of(open.begin(), open.end(), same) ||
+         std::any_of(outweighed_.begin(), outweighed_.end(), same);
 }
 
 // How many predictions rest on one another below something with these grounds.

@@ -4,15 +4,17 @@
 //
 // Such a prediction names the predictions it rests on (its grounds). It is not rated: only what follows from
 // facts is. It is given up (PredictionInvalidated)
-// - when one of its grounds does not come true, and with it what rests on it in turn;
+// - when one of its grounds does not come true or is outweighed, and with it what rests on it in turn;
 // - when all of them came true: then its model fires on the facts, and what it predicts from them takes its
 //   place (renewed), or nothing does (not renewed);
-// - when its time comes before its grounds are decided (overdue).
+// - when its time comes before its grounds are decided (overdue);
+// - as any prediction is: when a surer one speaks against it (outweighing.h).
 //
 // Own rules: a chain of predictions ends after max_prediction_chain links, so that a cycle of models does not
 // go on for ever, and there are at most 1000 expectations at a time; what a model predicts already is not
-// predicted again; where a prediction takes the place of one with the same target and confidence, what rested
-// on the old one rests on the new one from then on.
+// predicted again, and what was outweighed not as long as what outweighed it is open; where a prediction
+// takes the place of one with the same target and confidence, what rested on the old one rests on the new one
+// from then on.
 #pragma once
 
 #include <map>
@@ -22,6 +24,7 @@
 
 #include "engine/reason/chaining.h"
 #include "engine/reason/journal.h"
+#include "engine/reason/outweighing.h"
 #include "engine/reason/parameters.h"
 #include "engine/reason/situation.h"
 
@@ -31,7 +34,8 @@ namespace aerascope {
 struct Conclusion {
   EventId event;
   bool came_true = false;
-  FactId shown_by;  // invalid if nothing came in time
+  FactId shown_by;          // invalid if nothing came in time
+  PredictionId surer = {};  // what outweighed it, or what it rested on
 };
 using Conclusions = std::map<PredictionId, Conclusion>;
 
@@ -41,8 +45,11 @@ class Expectations {
   Expectations(const ReasonerParameters& parameters, Duration period, Journal* journal)
       : parameters_(parameters), period_(period), journal_(*journal) {}
 
-  // When the predictions from facts have been concluded: gives up what rested on those that failed. What is
-  // given up is added to the conclusions.
+  // A surer prediction speaks against this one.
+  void Outweigh(const Outweighed& one, Conclusions* concluded, Time now);
+
+  // When predictions have been concluded otherwise than by Renew: gives up what rested on those that failed.
+  // What is given up is added to the conclusions.
   void GiveUp(Conclusions* concluded, Time now);
 
   // One prediction in the place of another.
@@ -64,8 +71,7 @@ class Expectations {
   };
   struct ExpectedFrame;
 
-  void Invalidate(PredictionId id, InvalidationReason reason, FactId by, EventId because,
-                  Conclusions* concluded, Time now);
+  void Invalidate(const PredictionInvalidated& end, EventId because, Conclusions* concluded, Time now);
   bool MayChain(const Fact& expected) const;
   ExpectedFrame Imagine(std::int64_t frames_ahead, const Situation& present,
                         const std::vector<Requirement>& said) const;
@@ -81,6 +87,8 @@ class Expectations {
   Duration period_;
   Journal& journal_;
   std::map<PredictionId, Link> links_;  // of the open predictions that rest on others
+  // What was given up for a surer prediction, while that is open.
+  std::multimap<PredictionId, PredictionRecord> outweighed_;
   // Decisions that were said, while the prediction that they are about is open.
   std::set<std::tuple<ModelId, PredictionId, ChainingStatus>> reported_;
   // Models that fire on a composite state are few; all others are found by what is predicted.

@@ -122,10 +122,25 @@ void Reasoner::BeginFrame(std::int64_t frame, const std::vector<Fact>& sensed) {
   LearnFromChanges();
   LearnFromGoals(reached);
   Chain(interval.after);
+  GiveUpOutweighed(interval.after);
   for (const Expectations::Renewal& renewal : expectations_.Renew(&concluded_, interval.after))
     drives_.Renew(renewal);
   drives_.Resume(concluded_, interval.after);
   expectations_.Extend(situation_, pending_, interval.after);
+  GiveUpOutweighed(interval.after);
+  drives_.Resume(concluded_, interval.after);
+}
+
+void Reasoner::GiveUpOutweighed(Time at) {
+  for (const Outweighed& one : FindOutweighed(knowledge(), last_weighed_)) {
+    const PredictionRecord& prediction = knowledge().predictions().at(one.prediction);
+    if (prediction.grounds.empty()) outweighed_.push_back(prediction.target);
+    expectations_.Outweigh(one, &concluded_, at);
+    open_firings_.erase(one.prediction);
+  }
+  if (!knowledge().predictions().empty())
+    last_weighed_ = std::max(last_weighed_, knowledge().predictions().rbegin()->first);
+  expectations_.GiveUp(&concluded_, at);
 }
 
 void Reasoner::CheckPredictions() {
@@ -133,6 +148,10 @@ void Reasoner::CheckPredictions() {
   concluded_.clear();
   came_true_.clear();
   const TimeInterval frame = FrameInterval();
+  std::erase_if(outweighed_, [&](const Fact& target) { return target.interval.before <= frame.after; });
+  for (const Fact& target : outweighed_) {
+    if (target.interval.after < frame.before) expected_.push_back(target);
+  }
   std::vector<PredictionRecord> open;
   for (const auto& [id, prediction] : knowledge().predictions()) {
     const bool from_facts = prediction.grounds.empty();
@@ -416,7 +435,10 @@ void Reasoner::Executed(const Term& command, EventId issued) {
   const Time at = At(parameters_.commit_offset);
   const Fact fact{true, command, {At(parameters_.command_offset), FrameInterval().before}, 1};
   FireOn(AddFact(fact, FactSource::kExecuted, at, {issued}), at);
+  GiveUpOutweighed(at);
   expectations_.Extend(situation_, pending_, at);
+  GiveUpOutweighed(at);
+  drives_.Resume(concluded_, at);
   drives_.Suspend(at);
 }
 

@@ -70,6 +70,7 @@ class Reasoner {
   void CheckPredictions();
   void Conclude(const PredictionRecord& prediction, bool success, const SituationFact* evidence);
   void LearnFromFailure(const PredictionRecord& prediction, FactId shown_by, EventId outcome);
+  void GiveUpOutweighed(Time at);
   void LearnFromChanges();
   void LearnFromGoals(const std::vector<Drives::Achieved>& reached);
   void Chain(Time at);
@@ -105,7 +106,10 @@ class Reasoner {
   std::vector<Requirement> pending_;  // what requirement models say about later frames
   std::map<PredictionId, OpenFiring> open_firings_;
   std::vector<Fact> expected_;  // targets of predictions for this frame, come true or not
-  Conclusions concluded_;       // predictions closed in this frame
+  // The same of those that were outweighed: what is predicted, if wrongly, is no surprise.
+  std::vector<Fact> outweighed_;
+  PredictionId last_weighed_;  // all up to this one were compared with each other
+  Conclusions concluded_;      // predictions closed in this frame
   std::vector<CameTrue> came_true_;
   Expectations expectations_;
   TimeOuts time_outs_;
