@@ -2,7 +2,8 @@
 "use strict";
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
-const { demo, scenarios } = require("./lib/reports.cjs");
+const fs = require("node:fs");
+const { demo, fileOf, scenarios } = require("./lib/reports.cjs");
 const { firstAnalogy, inHash, settled, time, useBrowser } = require("./lib/browser.cjs");
 
 const open = useBrowser();
@@ -58,6 +59,28 @@ test("tabs go by arrows and by number, and back and forward lead through them", 
   await page.waitForFunction(() => document.body.dataset.view === "knowledge");
   await page.goForward();
   await page.waitForFunction(() => document.body.dataset.view === "events");
+  await close();
+});
+
+test("the list of events says what the program says, event by event", async () => {
+  const { page, close } = await open(demo, { hash: "#view=events&t=0" });
+  await page.locator(".events-head .kinds summary").click();
+  await page.locator(".events-head .kind-list").getByRole("button", { name: "all" }).click();
+  // Row by row, as somebody sees them who scrolls from the first to the last.
+  const seen = await page.evaluate(async () => {
+    const list = document.querySelector(".events-list");
+    const rows = new Map();
+    for (let top = 0; top < list.scrollHeight; top += list.clientHeight / 2) {
+      list.scrollTop = top;
+      await new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); });
+      for (const row of list.querySelectorAll(".event-row")) rows.set(Number(row.dataset.event), row.querySelector(".sentence").textContent);
+    }
+    return [...rows].sort((a, b) => a[0] - b[0]).map(([event, text]) => "#" + event + " " + text);
+  });
+  const said = fs.readFileSync(fileOf(demo).replace(/html$/, "txt"), "utf8").trimEnd().split("\n")
+    .map((line) => line.replace(/^\S+ s +(#\d+) +\w+ +/, "$1 ").replace(/`([^`]*)`/g, "\u201c$1\u201d"));
+  assert.ok(said.length > 1000);
+  assert.deepEqual(seen, said);
   await close();
 });
 

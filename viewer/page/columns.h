@@ -26,6 +26,8 @@ class ColumnWriter {
     Unsigned(value < 0 ? ~(bits << 1) : bits << 1);
   }
 
+  void Append(const ColumnWriter& other) { bytes_ += other.bytes_; }
+
   const std::string& bytes() const { return bytes_; }
 
  private:

@@ -29,102 +29,105 @@ std::string Words(std::string_view name) {
   return words;
 }
 
+using Value = std::optional<FieldText>;
+
 class FieldAuthor {
  public:
   explicit FieldAuthor(const Run& run) : run_(run), knowledge_(run.final_knowledge()) {}
 
-  json Value(const std::string& text) const { return Shortened(Printable(text), kLongestValue); }
-  json Value(bool value) const { return value ? "yes" : "no"; }
-  json Value(std::int64_t value) const { return std::to_string(value); }
-  json Value(double value) const { return FormatNumber(value, 6); }
-  json Value(Time time) const { return SecondsText(time); }
-  json Value(const TimeInterval& interval) const {
-    return SecondsText(interval.after) + " to " + SecondsText(interval.before);
+  Value Of(const std::string& text) const { return Plain(Shortened(Printable(text), kLongestValue)); }
+  Value Of(bool value) const { return Plain(value ? "yes" : "no"); }
+  Value Of(std::int64_t value) const { return Plain(std::to_string(value)); }
+  Value Of(double value) const { return Plain(FormatNumber(value, 6)); }
+  Value Of(Time time) const { return Plain(SecondsText(time)); }
+  Value Of(const TimeInterval& interval) const {
+    return Plain(SecondsText(interval.after) + " to " + SecondsText(interval.before));
   }
-  json Value(const Term& term) const {
-    if (term.is(TermKind::kNil)) return nullptr;
-    return Shortened(PayloadText(knowledge_, term), kLongestValue);
+  Value Of(const Term& term) const {
+    if (term.is(TermKind::kNil)) return {};
+    return Plain(Shortened(PayloadText(knowledge_, term), kLongestValue));
   }
-  json Value(const Fact& fact) const {
+  Value Of(const Fact& fact) const {
     std::string text = Shortened(FactText(knowledge_, fact), kLongestValue);
     if (fact.interval.after < fact.interval.before)
       text += ", " + SecondsText(fact.interval.after) + " to " + SecondsText(fact.interval.before);
     if (fact.confidence < 1) text += ", confidence " + FormatConfidence(fact.confidence);
-    return text;
+    return Plain(std::move(text));
   }
-  json Value(const Evidence& evidence) const {
-    return FormatNumber(evidence.positive, 6) + " of " + FormatNumber(evidence.total, 6) + " = " +
-           FormatConfidence(evidence.rate());
+  Value Of(const Evidence& evidence) const {
+    return Plain(FormatNumber(evidence.positive, 6) + " of " + FormatNumber(evidence.total, 6) + " = " +
+                 FormatConfidence(evidence.rate()));
   }
-  json Value(FactId id) const {
-    if (!id.valid()) return nullptr;
+  Value Of(FactId id) const {
+    if (!id.valid()) return {};
     const Fact* fact = run_.FindFact(id);
-    const std::string text = fact == nullptr ? IdText(id) : FactText(knowledge_, *fact);
+    std::string text = fact == nullptr ? IdText(id) : FactText(knowledge_, *fact);
     const EventId event = run_.CreationOf(id);
-    if (!event.valid()) return text;
-    return {Shortened(text, kLongestValue), IdText(event)};
+    if (!event.valid()) return Plain(std::move(text));
+    return FieldText{Shortened(text, kLongestValue), IdText(event)};
   }
-  json Value(SimulationId id) const {
-    const EventId event = id.valid() ? run_.CreationOf(id) : EventId{};
-    if (!event.valid()) return id.valid() ? json(IdText(id)) : json(nullptr);
-    return {IdText(id), IdText(event)};
+  Value Of(SimulationId id) const {
+    if (!id.valid()) return {};
+    const EventId event = run_.CreationOf(id);
+    return FieldText{IdText(id), event.valid() ? IdText(event) : ""};
   }
-  json Value(EventId id) const { return id.valid() ? json{IdText(id), IdText(id)} : json(nullptr); }
-  json Value(ModelId id) const { return Named(id, id.valid() ? TitleOf(knowledge_, id) : ""); }
-  json Value(CompositeStateId id) const { return Named(id, id.valid() ? TitleOf(knowledge_, id) : ""); }
-  json Value(GoalId id) const { return Named(id, ""); }
-  json Value(PredictionId id) const { return Named(id, ""); }
-  json Value(const Model& model) const {
+  Value Of(EventId id) const {
+    if (!id.valid()) return {};
+    return FieldText{IdText(id), IdText(id)};
+  }
+  Value Of(ModelId id) const { return Named(id, id.valid() ? TitleOf(knowledge_, id) : ""); }
+  Value Of(CompositeStateId id) const { return Named(id, id.valid() ? TitleOf(knowledge_, id) : ""); }
+  Value Of(GoalId id) const { return Named(id, ""); }
+  Value Of(PredictionId id) const { return Named(id, ""); }
+  Value Of(const Model& model) const {
     const ModelLines lines = LinesOf(knowledge_, model);
-    const std::string text = lines.lhs + " \u2192 " + lines.rhs;
-    if (knowledge_.Find(model.id) == nullptr) return Shortened(text, kLongestValue);
-    return {Shortened(IdText(model.id) + ": " + text, kLongestValue), IdText(model.id)};
+    return Defined(model.id, lines.lhs + " \u2192 " + lines.rhs);
   }
-  json Value(const CompositeState& state) const {
-    const std::string text = OneLine(ConditionsOf(knowledge_, state));
-    if (knowledge_.Find(state.id) == nullptr) return Shortened(text, kLongestValue);
-    return {Shortened(IdText(state.id) + ": " + text, kLongestValue), IdText(state.id)};
+  Value Of(const CompositeState& state) const {
+    return Defined(state.id, OneLine(ConditionsOf(knowledge_, state)));
   }
-  json Value(const std::vector<double>& numbers) const {
-    if (numbers.empty()) return nullptr;
-    return std::to_string(numbers.size()) + " numbers";
+  Value Of(const std::vector<double>& numbers) const {
+    if (numbers.empty()) return {};
+    return Plain(std::to_string(numbers.size()) + " numbers");
   }
   template <class Item>
-  json Value(const std::vector<Item>& list) const {
-    if (list.empty()) return nullptr;
+  Value Of(const std::vector<Item>& list) const {
+    if (list.empty()) return {};
+    if (list.size() == 1)
+      if (Value only = Of(list.front()); only && !only->link.empty()) return only;
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < std::min(list.size(), kLongestList); ++i) {
-      const json value = Value(list[i]);
-      if (list.size() == 1 && value.is_array()) return value;
-      parts.push_back(value.is_array()    ? value[0].template get<std::string>()
-                      : value.is_string() ? value.template get<std::string>()
-                                          : "none");
+      Value value = Of(list[i]);
+      parts.push_back(value ? std::move(value->text) : "none");
     }
     if (list.size() > kLongestList) parts.push_back(std::to_string(list.size() - kLongestList) + " more");
-    return Shortened(Join(parts, "; "), kLongestValue);
+    return Plain(Shortened(Join(parts, "; "), kLongestValue));
   }
   template <class Other>
-  json Value(const Other& value) const {
+  Value Of(const Other& value) const {
     if constexpr (std::is_enum_v<Other>) {
-      return Words(EnumName(value));
+      return Plain(Words(EnumName(value)));
     } else {
       std::vector<std::string> parts;
       ForEachField<Other>([&](const auto& field) {
-        const json part = Value(value.*field.member);
-        if (part.is_null()) return;
-        parts.push_back(
-            Words(field.name) + " " +
-            (part.is_array() ? part[0].template get<std::string>() : part.template get<std::string>()));
+        if (const Value part = Of(value.*field.member)) parts.push_back(Words(field.name) + " " + part->text);
       });
-      return Shortened(Join(parts, ", "), kLongestValue);
+      return Plain(Shortened(Join(parts, ", "), kLongestValue));
     }
   }
 
  private:
+  static Value Plain(std::string text) { return FieldText{std::move(text), ""}; }
   template <class Id>
-  static json Named(Id id, const std::string& title) {
-    if (!id.valid()) return nullptr;
-    return {title.empty() ? IdText(id) : IdText(id) + ", " + title, IdText(id)};
+  static Value Named(Id id, const std::string& title) {
+    if (!id.valid()) return {};
+    return FieldText{title.empty() ? IdText(id) : IdText(id) + ", " + title, IdText(id)};
+  }
+  // Knowledge that was not kept has no page of its own.
+  template <class Id>
+  Value Defined(Id id, const std::string& text) const {
+    if (knowledge_.Find(id) == nullptr) return Plain(Shortened(text, kLongestValue));
+    return FieldText{Shortened(IdText(id) + ": " + text, kLongestValue), IdText(id)};
   }
 
   const Run& run_;
@@ -133,16 +136,16 @@ class FieldAuthor {
 
 }  // namespace
 
-json FieldsOf(const Run& run, const Event& event) {
+std::vector<std::optional<FieldText>> FieldsOf(const Run& run, const Event& event) {
   const FieldAuthor author(run);
-  json fields = json::array();
+  const std::string itself = IdText(event.id);
+  std::vector<Value> fields;
   std::visit(
       [&](const auto& body) {
-        int position = 0;
         ForEachField<std::remove_cvref_t<decltype(body)>>([&](const auto& field) {
-          json value = author.Value(body.*field.member);
-          if (!value.is_null()) fields.push_back({position, std::move(value)});
-          ++position;
+          Value value = author.Of(body.*field.member);
+          if (value && value->link == itself) value.reset();
+          fields.push_back(std::move(value));
         });
       },
       event.body);

@@ -2,14 +2,22 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "engine/query/run.h"
 
 namespace aerascope {
 
-// [[position of the field, value], ...] without fields that say nothing (none, empty). A value is a text or
-// [text, id of a subject or "#event"].
-nlohmann::json FieldsOf(const Run& run, const Event& event);
+struct FieldText {
+  std::string text;
+  std::string link;  // id of a subject, or "#event"; may be empty
+};
+
+// A text for each field of the event's kind, in order; nothing for those that say nothing: none, empty, or
+// the event itself.
+std::vector<std::optional<FieldText>> FieldsOf(const Run& run, const Event& event);
 
 // For each kind of event: its title, what it means, and the title and meaning of each field.
 nlohmann::json DescribeKinds();

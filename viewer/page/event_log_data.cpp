@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <variant>
 
 #include "engine/base/text.h"
 #include "engine/query/describe.h"
@@ -12,6 +14,7 @@
 #include "viewer/page/overloaded.h"
 #include "viewer/page/page_json.h"
 #include "viewer/page/shortened.h"
+#include "viewer/page/text_columns.h"
 
 namespace aerascope {
 namespace {
@@ -59,7 +62,12 @@ bool SpeaksAgainst(const Event& event) {
 class LogAuthor {
  public:
   LogAuthor(const ReportContext& context, const SubjectTable& subjects, PageBlocks* first, PageBlocks* later)
-      : context_(context), run_(context.run), subjects_(subjects), first_(first), later_(later) {}
+      : context_(context),
+        run_(context.run),
+        subjects_(subjects),
+        first_(first),
+        later_(later),
+        by_kind_(Sorted(context.run.events())) {}
 
   Result<json> Write() {
     WriteColumns();
@@ -77,6 +85,13 @@ class LogAuthor {
 
  private:
   static constexpr std::string_view kBytes = "application/octet-stream";
+  using ByKind = std::vector<std::vector<const Event*>>;
+
+  static ByKind Sorted(std::span<const Event> events) {
+    ByKind by_kind(std::variant_size_v<EventBody>);
+    for (const Event& event : events) by_kind[event.body.index()].push_back(&event);
+    return by_kind;
+  }
 
   std::uint8_t MarkNumber(const std::string& mark) {
     const auto [entry, is_new] = mark_numbers_.try_emplace(mark, marks_.size());
@@ -100,11 +115,10 @@ class LogAuthor {
     }
     for (const Event& event : events)
       columns_.Unsigned(static_cast<std::uint64_t>(std::max<std::int64_t>(event.simulation.value, 0)));
-    for (const Event& event : events) {
+    WriteLists(&columns_, [&](const Event& event) {
       const std::vector<std::size_t> mentioned = subjects_.MentionedBy(event);
-      columns_.Unsigned(mentioned.size());
-      for (const std::size_t number : mentioned) columns_.Unsigned(number);
-    }
+      return std::vector<std::int64_t>(mentioned.begin(), mentioned.end());
+    });
     WriteSure();
   }
 
@@ -137,35 +151,87 @@ class LogAuthor {
   }
 
   void WriteCauses() {
-    for (const Event& event : run_.events()) {
-      causes_.Unsigned(event.causes.size());
+    WriteLists(&causes_, [](const Event& event) {
+      std::vector<std::int64_t> back;
       // A cause is an earlier event; a file in which it is not points at nothing.
       for (const EventId cause : event.causes)
-        causes_.Unsigned(
-            cause.value < event.id.value ? static_cast<std::uint64_t>(event.id.value - cause.value) : 0u);
+        back.push_back(cause.value < event.id.value ? event.id.value - cause.value : 0);
+      return back;
+    });
+  }
+
+  // A list of numbers for each event, see the header.
+  template <class ListOf>
+  void WriteLists(ColumnWriter* columns, const ListOf& list_of) {
+    ColumnWriter items;
+    for (const std::vector<const Event*>& of_kind : by_kind_) {
+      std::vector<std::vector<std::int64_t>> lists;
+      for (const Event* event : of_kind) {
+        lists.push_back(list_of(*event));
+        columns->Unsigned(lists.back().size());
+      }
+      for (std::size_t place = 0;; ++place) {
+        std::erase_if(lists, [&](const auto& list) { return list.size() <= place; });
+        if (lists.empty()) break;
+        std::int64_t before = 0;
+        for (const std::vector<std::int64_t>& list : lists) {
+          items.Signed(list[place] - before);
+          before = list[place];
+        }
+      }
     }
+    columns->Append(items);
   }
 
   Status WriteChunks() {
     const std::vector<Event>& events = run_.events();
     for (std::size_t start = 0, n = 0; start < events.size(); start += kEventsAChunk, ++n) {
-      std::string sentences, fields;
       const std::size_t end = std::min(start + kEventsAChunk, events.size());
-      for (std::size_t i = start; i < end; ++i) {
-        sentences += Shortened(SentenceOf(run_, events[i]), kLongestSentence) + "\n";
-        json values = FieldsOf(run_, events[i]);
-        if (std::holds_alternative<AnalogyCompared>(events[i].body))
-          values.push_back(ComparisonData(context_, events[i]));
-        fields += PageJson(std::move(values)) + "\n";
+      const ByKind by_kind = Sorted({events.data() + start, end - start});
+      TextColumns sentences, fields;
+      for (const std::vector<const Event*>& of_kind : by_kind) {
+        if (of_kind.empty()) continue;
+        WriteSentences(of_kind, &sentences);
+        WriteFields(of_kind, &fields);
       }
-      if (Status written = later_->AddPacked("events", "text-" + std::to_string(n), "text/plain", sentences);
-          !written)
-        return written;
-      if (Status written = later_->AddPacked("events", "fields-" + std::to_string(n), "text/plain", fields);
-          !written)
-        return written;
+      const std::string number = std::to_string(n);
+      for (const auto& [name, columns] : {std::pair{"text-", &sentences}, std::pair{"fields-", &fields}})
+        if (Status written = later_->AddPacked("events", name + number, kBytes, columns->bytes()); !written)
+          return written;
     }
     return {};
+  }
+
+  void WriteSentences(const std::vector<const Event*>& events, TextColumns* columns) const {
+    std::vector<TextCell> column;
+    for (const Event* event : events)
+      column.push_back({event->id.value, Shortened(SentenceOf(run_, *event), kLongestSentence)});
+    columns->Add(column);
+  }
+
+  void WriteFields(const std::vector<const Event*>& events, TextColumns* columns) const {
+    std::vector<std::vector<TextCell>> texts, links;  // by field
+    for (const Event* event : events) {
+      std::vector<std::optional<FieldText>> fields = FieldsOf(run_, *event);
+      texts.resize(fields.size());
+      links.resize(fields.size());
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        TextCell &text = texts[i].emplace_back(), &link = links[i].emplace_back();
+        text.row = link.row = event->id.value;
+        if (!fields[i]) continue;
+        text.text = std::move(fields[i]->text);
+        if (!fields[i]->link.empty()) link.text = std::move(fields[i]->link);
+      }
+    }
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      columns->Add(texts[i]);
+      columns->Add(links[i]);
+    }
+    if (!std::holds_alternative<AnalogyCompared>(events.front()->body)) return;
+    std::vector<TextCell> comparisons;
+    for (const Event* event : events)
+      comparisons.push_back({event->id.value, PageJson(ComparisonData(context_, *event))});
+    columns->Add(comparisons);
   }
 
   const ReportContext& context_;
@@ -173,6 +239,7 @@ class LogAuthor {
   const SubjectTable& subjects_;
   PageBlocks* first_;
   PageBlocks* later_;
+  ByKind by_kind_;  // all events
   ColumnWriter columns_;
   ColumnWriter causes_;
   std::vector<std::string> marks_;

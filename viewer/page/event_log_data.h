@@ -4,19 +4,27 @@
 // Block `log` (columns, see columns.h), one after the other for n events:
 //   kind       n bytes: position in EventBody
 //   sign       n bytes: bits 0 to 2 the chapter of the story, 0 for none (StoryChapter); bit 3 tells of
-//              failure; bit 4 happened in the head only; bit 5 is worth a line where effects are listed; bit 6
-//              says why something did not happen
+//              failure; bit 4 happened in the head only; bit 5 is worth a line where effects are listed;
+//              bit 6 says why something did not happen
 //   mark       n bytes: position in the list of marks in the description
 //   time       n signed: microseconds since the event before
 //   simulation n unsigned: number of the simulation, 0 for none
-//   mentions   n times: count, then the numbers of the subjects the event speaks of, the first most of all
+//   mentions   lists (see below): the numbers of the subjects the event speaks of, the first most of all
 //   sure       for each subject: count, then for each step of its confidence: signed microseconds since the
 //              step before (the first: since 0), confidence in ten-thousandths, bits (1 an outcome was wrong,
 //              2 deleted from here on, 4 strong, 8 phased out), signed event number since the step before
-// Block `log-causes`: n times: count, then how many events before this one each cause is.
-// Blocks `text-0`, `text-1` ...: the sentences of kEventsAChunk events each, one a line.
-// Blocks `fields-0` ...: their fields, one JSON array a line: [position of the field, value] ..., values are
-// a text, [text, id to go to], or an object for a comparison (see analogy_data.h).
+// Block `log-causes`: lists: how many events before this one each cause is.
+//
+// Lists stand kind by kind, since events of one kind name much the same: how long the list of each event is;
+// then for each kind the first items of its lists, then the second ones of those that have one, and so on,
+// each as the signed difference from the item before it, the first of each place from 0.
+//
+// Blocks `text-0`, `text-1` ...: the sentences of kEventsAChunk events each, as columns of texts
+// (text_columns.h): a column for each kind that occurs in the chunk, a row for each of its events.
+//
+// Blocks `fields-0` ...: their fields, as columns of texts: for each kind that occurs in the chunk, two for
+// each field of the kind: what it says, and the id of what a click on it goes to; of comparisons one more
+// column: the comparison as JSON (analogy_data.h).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -28,7 +36,7 @@
 
 namespace aerascope {
 
-inline constexpr std::size_t kEventsAChunk = 2048;
+inline constexpr std::size_t kEventsAChunk = 4096;
 
 // What a row of the story belongs to.
 enum class StoryChapter { kNone, kGoal, kCommand, kPrediction, kLearned, kAnalogy };

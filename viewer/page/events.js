@@ -87,7 +87,7 @@ function eventsPane(app) {
     let since = performance.now();
     while (i < n) {
       const chunk = log.chunkOf(pool ? pool[i] : i + 1);
-      const lines = await log.page("text-" + chunk);
+      const lines = await log.sentences(chunk);
       if (mine !== search) return;
       for (; i < n; ++i) {
         const event = pool ? pool[i] : i + 1;

@@ -19,7 +19,8 @@ class EventLog {
     for (let i = 0, t = 0; i < n; ++i) this.timeOf[i] = t += columns.signed();
     this.simulationOf = new Uint32Array(n);
     for (let i = 0; i < n; ++i) this.simulationOf[i] = columns.unsigned();
-    this.mentions = readLists(columns, n, (_, value) => value);
+    this.inKindOrder = eventsByKind(this.kindOf, this.kinds.length);
+    this.mentions = readLists(columns, this.inKindOrder, (_, value) => value);
     this.readSure(columns, subjectCount);
     this.pages = new Map();     // decoded chunks by the name of their block
     this.frameFirst = this.ofKind("FrameStarted");
@@ -116,7 +117,7 @@ class EventLog {
   async loadCauses() {
     if (!this.causesLoading) {
       this.causesLoading = blockBytes("log-causes").then((bytes) => {
-        this.causesOf = readLists(new ColumnReader(bytes), this.count, (i, back) => (back ? i + 1 - back : 0));
+        this.causesOf = readLists(new ColumnReader(bytes), this.inKindOrder, (event, back) => (back ? event - back : 0));
         const { start, list } = this.causesOf;
         this.effectsOf = invert(this.count, start, list, this.count + 1);
       });
@@ -131,72 +132,106 @@ class EventLog {
 
   // ---- sentences and fields
 
-  async page(block) {
+  // A decoded chunk: sentences by their event's place in the chunk, or the columns of fields of each kind.
+  async page(block, decode) {
     let page = this.pages.get(block);
     if (!page) {
-      page = { lines: null, loading: null };
-      page.loading = blockText(block).then((text) => { page.lines = text.split("\n"); });
+      page = { content: null, loading: null };
+      page.loading = blockBytes(block).then((bytes) => { page.content = decode(new TextColumnReader(bytes)); });
       this.pages.set(block, page);
       // Not more than a few megabytes of text are kept.
-      if (this.pages.size > 96) {
-        const oldest = [...this.pages].find(([, old]) => old.lines);
+      if (this.pages.size > 48) {
+        const oldest = [...this.pages].find(([, old]) => old.content);
         if (oldest) this.pages.delete(oldest[0]);
       }
     }
     await page.loading;
-    return page.lines;
+    return page.content;
   }
   get chunks() { return Math.ceil(this.count / this.chunk); }
   chunkOf(event) { return Math.floor((event - 1) / this.chunk); }
+  // The events of a chunk, kind by kind: [{ kind, events }, ...].
+  kindsOfChunk(chunk) {
+    const first = chunk * this.chunk + 1, last = Math.min(first + this.chunk - 1, this.count);
+    const { order, start } = eventsByKind(this.kindOf.subarray(first - 1, last), this.kinds.length);
+    const out = [];
+    for (let kind = 0; kind < this.kinds.length; ++kind) {
+      if (start[kind] < start[kind + 1]) out.push({ kind, events: order.subarray(start[kind], start[kind + 1]).map((event) => event + first - 1) });
+    }
+    return out;
+  }
+  // The sentences of a chunk, by their event's place in it.
+  sentences(chunk) {
+    return this.page("text-" + chunk, (columns) => {
+      const lines = new Array(this.chunk).fill("");
+      for (const { events } of this.kindsOfChunk(chunk)) columns.next(events).forEach((text, i) => { lines[(events[i] - 1) % this.chunk] = text; });
+      return lines;
+    });
+  }
   // The sentence, if it is decoded; undefined otherwise.
   textNow(event) {
     const page = this.pages.get("text-" + this.chunkOf(event));
-    return page && page.lines ? page.lines[(event - 1) % this.chunk] : undefined;
+    return page && page.content ? page.content[(event - 1) % this.chunk] : undefined;
   }
   async text(event) {
-    const lines = await this.page("text-" + this.chunkOf(event));
+    const lines = await this.sentences(this.chunkOf(event));
     return lines[(event - 1) % this.chunk];
   }
   // Sees to it that textNow() knows these events.
   async loadTexts(events) {
     const chunks = new Set();
     for (const event of events) if (this.textNow(event) === undefined) chunks.add(this.chunkOf(event));
-    await Promise.all([...chunks].map((chunk) => this.page("text-" + chunk)));
+    await Promise.all([...chunks].map((chunk) => this.sentences(chunk)));
   }
   // What the event says: [{name, meaning, text, go}] and, of a comparison, its table.
   async fields(event) {
-    const lines = await this.page("fields-" + this.chunkOf(event));
-    const values = JSON.parse(lines[(event - 1) % this.chunk]);
-    const names = this.kind(event).fields;
-    const fields = [];
-    let comparison = null;
-    for (const value of values) {
-      if (!Array.isArray(value)) { comparison = value; continue; }
-      const [name, meaning] = names[value[0]];
-      const linked = Array.isArray(value[1]);
-      fields.push({ name, meaning, text: linked ? value[1][0] : value[1], go: linked ? value[1][1] : "" });
-    }
-    return { fields, comparison };
+    const chunk = this.chunkOf(event);
+    const kinds = await this.page("fields-" + chunk, (columns) => this.kindsOfChunk(chunk).map(({ kind, events }) => {
+      const fields = this.kinds[kind].fields.map(() => ({ texts: columns.next(events), links: columns.next(events) }));
+      const comparisons = this.kinds[kind].name === "AnalogyCompared" ? columns.next(events) : null;
+      return { kind, events, fields, comparisons };
+    }));
+    const { events, fields, comparisons } = kinds.find((one) => one.kind === this.kindOf[event - 1]);
+    const row = events.indexOf(event);
+    const out = [];
+    this.kind(event).fields.forEach(([name, meaning], i) => {
+      const text = fields[i].texts[row];
+      if (text !== null) out.push({ name, meaning, text, go: fields[i].links[row] || "" });
+    });
+    return { fields: out, comparison: comparisons ? JSON.parse(comparisons[row]) : null };
   }
 }
 
-// n lists of numbers, one after the other: where each begins, and all of them.
-function readLists(columns, n, valueOf) {
+// Events (by number, from 1) kind by kind, and where each kind begins.
+function eventsByKind(kindOf, kinds) {
+  const start = new Uint32Array(kinds + 1);
+  for (const kind of kindOf) ++start[kind + 1];
+  for (let kind = 0; kind < kinds; ++kind) start[kind + 1] += start[kind];
+  const place = start.slice();
+  const order = new Uint32Array(kindOf.length);
+  for (let i = 0; i < kindOf.length; ++i) order[place[kindOf[i]]++] = i + 1;
+  return { order, start };
+}
+// A list of numbers for each event, written kind by kind: where each list begins, and all of them.
+function readLists(columns, { order, start: kindStart }, valueOf) {
+  const n = order.length;
   const start = new Uint32Array(n + 1);
-  let list = new Uint32Array(Math.max(16, n * 2));
-  let used = 0;
-  for (let i = 0; i < n; ++i) {
-    start[i] = used;
-    const length = columns.unsigned();
-    if (used + length > list.length) {
-      const longer = new Uint32Array(Math.max(list.length * 2, used + length));
-      longer.set(list);
-      list = longer;
+  for (const event of order) start[event] = columns.unsigned();
+  for (let i = 0; i < n; ++i) start[i + 1] += start[i];
+  const list = new Uint32Array(start[n]);
+  for (let kind = 0; kind + 1 < kindStart.length; ++kind) {
+    let rows = order.subarray(kindStart[kind], kindStart[kind + 1]);
+    for (let place = 0; ; ++place) {
+      rows = rows.filter((event) => start[event - 1] + place < start[event]);
+      if (!rows.length) break;
+      let value = 0;
+      for (const event of rows) {
+        value += columns.signed();
+        list[start[event - 1] + place] = valueOf(event, value);
+      }
     }
-    for (let k = 0; k < length; ++k) list[used++] = valueOf(i, columns.unsigned());
   }
-  start[n] = used;
-  return { start, list: list.subarray(0, used) };
+  return { start, list };
 }
 // Of lists that say what each event names: for each named number, the events that name it, in order.
 function invert(n, start, list, size) {

@@ -102,7 +102,7 @@ async function start() {
   const app = new App(report, log);
   setTimeDecimals(report.clock.period);
   // A short run is decoded whole; of a long one what is looked at.
-  if (log.chunks > 0 && log.chunks <= 4) await Promise.all(Array.from({ length: log.chunks }, (_, i) => log.page("text-" + i)));
+  if (log.chunks > 0 && log.chunks <= 4) await Promise.all(Array.from({ length: log.chunks }, (_, i) => log.sentences(i)));
   document.body.classList.remove("loading");
   viewTabs(app);
   if (report.film.stills.length) filmPane(app); else planPane(app);

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
+#include <map>
+
 namespace aerascope {
 namespace {
 
@@ -66,6 +69,56 @@ std::uint64_t ColumnReader::Unsigned() {
 std::int64_t ColumnReader::Signed() {
   const std::uint64_t value = Unsigned();
   return value & 1 ? -static_cast<std::int64_t>(value >> 1) - 1 : static_cast<std::int64_t>(value >> 1);
+}
+
+std::string ColumnReader::Take(std::size_t count) {
+  at_ += count;
+  return bytes_.substr(at_ - count, count);
+}
+
+TextColumnReader::TextColumnReader(std::string bytes) : columns_(std::move(bytes)) {
+  const std::string forms = columns_.Take(columns_.Unsigned());
+  std::vector<std::string> words(1);
+  for (const char c : forms) {
+    if (c == '\n') {
+      forms_.push_back(std::exchange(words, {""}));
+    } else if (c == '\x01') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+}
+
+std::vector<std::optional<std::string>> TextColumnReader::Next(const std::vector<std::int64_t>& rows) {
+  std::vector<std::optional<std::string>> texts(rows.size());
+  std::vector<std::size_t> order;                         // forms, as they come
+  std::map<std::size_t, std::vector<std::size_t>> where;  // form -> rows
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t form = columns_.Unsigned();
+    if (form == 0) continue;
+    if (where[form].empty()) order.push_back(form);
+    where[form].push_back(i);
+    texts[i] = forms_.at(form - 1).at(0);
+  }
+  for (const std::size_t form : order) {
+    for (std::size_t place = 1; place < forms_[form - 1].size(); ++place) {
+      const std::uint64_t how = columns_.Unsigned();
+      std::int64_t before = 0;
+      for (const std::size_t i : where[form]) {
+        before = columns_.Signed() + (how & 1 ? rows[i] : before);
+        std::string digits = std::to_string(std::abs(before));
+        if (const std::size_t decimals = how >> 1; decimals > 0) {
+          if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
+          digits.insert(digits.size() - decimals, ".");
+          digits.erase(digits.find_last_not_of('0') + 1);
+          if (digits.back() == '.') digits.pop_back();
+        }
+        *texts[i] += (before < 0 ? "-" : "") + digits + forms_[form - 1][place];
+      }
+    }
+  }
+  return texts;
 }
 
 }  // namespace aerascope

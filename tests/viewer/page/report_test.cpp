@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
-#include <sstream>
 
 #include "tests/viewer/page/page_fixture.h"
 #include "tests/viewer/page/page_reader.h"
+#include "viewer/page/event_fields.h"
 #include "viewer/page/event_log_data.h"
 #include "viewer/page/subject_data.h"
 
@@ -37,11 +39,62 @@ json DetailOf(const std::string& html, std::size_t number) {
   return block[number % kSubjectsABlock];
 }
 
-std::vector<std::string> LinesOfBlock(const std::string& html, const std::string& id) {
-  std::vector<std::string> lines;
-  std::istringstream text(BlockOf(html, id));
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  return lines;
+// The columns of texts of the first chunk: for each event its sentence, its fields and, of comparisons, the
+// table.
+struct EventTexts {
+  std::string sentence;
+  std::vector<std::optional<std::string>> fields, links;
+  std::optional<std::string> comparison;
+};
+
+std::map<std::int64_t, EventTexts> TextsOfFirstChunk(const std::string& html, const Run& run) {
+  const json kinds = Data(html)["log"]["kinds"];
+  TextColumnReader sentences(BlockOf(html, "text-0")), fields(BlockOf(html, "fields-0"));
+  std::map<std::int64_t, EventTexts> texts;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    std::vector<std::int64_t> rows;
+    for (const Event& event : run.events())
+      if (event.body.index() == kind && static_cast<std::size_t>(event.id.value) <= kEventsAChunk)
+        rows.push_back(event.id.value);
+    if (rows.empty()) continue;
+    const auto take = [&](TextColumnReader& reader, const auto& put) {
+      const auto column = reader.Next(rows);
+      for (std::size_t i = 0; i < rows.size(); ++i) put(texts[rows[i]], column[i]);
+    };
+    take(sentences, [](EventTexts& event, const auto& text) { event.sentence = text.value_or("none"); });
+    for (std::size_t i = 0; i < kinds[kind]["fields"].size(); ++i) {
+      take(fields, [](EventTexts& event, const auto& text) { event.fields.push_back(text); });
+      take(fields, [](EventTexts& event, const auto& text) { event.links.push_back(text); });
+    }
+    if (kinds[kind]["name"] == "AnalogyCompared")
+      take(fields, [](EventTexts& event, const auto& text) { event.comparison = text; });
+  }
+  EXPECT_TRUE(sentences.AtEnd());
+  EXPECT_TRUE(fields.AtEnd());
+  return texts;
+}
+
+// A list of numbers for each event, by its number.
+std::map<std::int64_t, std::vector<std::int64_t>> ReadLists(ColumnReader* columns, const Run& run) {
+  std::vector<std::vector<std::int64_t>> by_kind(std::variant_size_v<EventBody>);
+  for (const Event& event : run.events()) by_kind[event.body.index()].push_back(event.id.value);
+  std::map<std::int64_t, std::size_t> lengths;
+  for (const auto& events : by_kind)
+    for (const std::int64_t event : events) lengths[event] = columns->Unsigned();
+  std::map<std::int64_t, std::vector<std::int64_t>> lists;
+  for (const auto& events : by_kind) {
+    for (std::size_t place = 0;; ++place) {
+      std::int64_t value = 0;
+      bool any = false;
+      for (const std::int64_t event : events) {
+        if (place >= lengths[event]) continue;
+        any = true;
+        lists[event].push_back(value += columns->Signed());
+      }
+      if (!any) break;
+    }
+  }
+  return lists;
 }
 
 std::string SummaryText(const json& data) {
@@ -99,9 +152,8 @@ TEST(Report, AnalogyIsExplainedConditionByCondition) {
   // The rejected comparison for the same goal is told, too.
   ASSERT_GE(derived["compared"].size(), 2u);
 
-  const std::size_t event = derived["compared"][0].get<std::size_t>();
-  const json fields = json::parse(LinesOfBlock(html, "fields-0").at(event - 1));
-  const json comparison = fields.back();
+  const std::int64_t event = derived["compared"][0];
+  const json comparison = json::parse(TextsOfFirstChunk(html, PaperRun({}))[event].comparison.value());
   EXPECT_EQ(comparison["psi"], "0.75");
   EXPECT_EQ(comparison["jaccard"], "0.6");
   EXPECT_EQ(comparison["object"], "s1");
@@ -118,24 +170,27 @@ TEST(Report, EveryEventIsThereWithItsSentenceItsFieldsAndItsCauses) {
   const json log = Data(html)["log"];
   const std::size_t n = run.events().size();
   EXPECT_EQ(log["count"], n);
-  const std::vector<std::string> sentences = LinesOfBlock(html, "text-0");
-  const std::vector<std::string> fields = LinesOfBlock(html, "fields-0");
-  ASSERT_EQ(sentences.size(), std::min(n, kEventsAChunk));
-  ASSERT_EQ(fields.size(), sentences.size());
+  ASSERT_LE(n, kEventsAChunk);
   ColumnReader columns(BlockOf(html, "log"));
   for (const Event& event : run.events()) EXPECT_EQ(columns.Byte(), event.body.index());
   ColumnReader causes(BlockOf(html, "log-causes"));
-  for (const Event& event : run.events()) {
-    ASSERT_EQ(causes.Unsigned(), event.causes.size());
-    for (const EventId cause : event.causes)
-      EXPECT_EQ(causes.Unsigned(), static_cast<std::uint64_t>(event.id.value - cause.value));
-  }
+  auto back = ReadLists(&causes, run);
   EXPECT_TRUE(causes.AtEnd());
-  for (std::size_t i = 0; i < sentences.size(); ++i) {
-    EXPECT_EQ(sentences[i], SentenceOf(run, run.events()[i]));
-    for (const json& field : json::parse(fields[i])) {
-      if (!field.is_array()) continue;
-      EXPECT_LT(field[0].get<std::size_t>(), log["kinds"][run.events()[i].body.index()]["fields"].size());
+  auto texts = TextsOfFirstChunk(html, run);
+  EXPECT_EQ(texts.size(), n);
+  for (const Event& event : run.events()) {
+    std::vector<EventId> named;
+    for (const std::int64_t by : back[event.id.value]) named.push_back(EventId{event.id.value - by});
+    EXPECT_EQ(named, event.causes);
+    const EventTexts& said = texts[event.id.value];
+    EXPECT_EQ(said.sentence, SentenceOf(run, event));
+    const auto fields = FieldsOf(run, event);
+    ASSERT_EQ(said.fields.size(), fields.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      EXPECT_EQ(said.fields[i], fields[i] ? std::optional(fields[i]->text) : std::nullopt);
+      EXPECT_EQ(said.links[i].value_or(""), fields[i] ? fields[i]->link : "");
+      // What leads to itself leads nowhere.
+      EXPECT_NE(said.links[i].value_or(""), "#" + std::to_string(event.id.value));
     }
   }
 }
