@@ -15,7 +15,7 @@ const PATIENCE = Number(process.env.PATIENCE || 20000);
 // covers its middle and no edge cuts it off. The whole text first, then a part of it.
 function find({ text, region, at, clickable }) {
   const plain = (words) => words.replace(/\s+/g, " ").trim();
-  const says = (node) => plain(node.getAttribute("aria-label") || node.innerText || node.textContent || "");
+  const says = (node) => plain(node.getAttribute("aria-label") || (node instanceof SVGElement && node.querySelector(":scope > title")?.textContent) || node.innerText || node.textContent || "");
   const reads = (node) => plain(node.innerText || node.textContent || "");
   const pattern = plain(text).split("\u2026").map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")).join(".*?");
   const whole = new RegExp(`^${pattern}$`), part = new RegExp(pattern);

@@ -270,8 +270,8 @@ function thingButton(app, name) {
   const id = "thing:" + name;
   const known = app.subject(id) !== null;
   const choose = () => app.select(id);
+  // Its name is the text in it.
   return svg("g", { class: "object", role: known ? "button" : null, tabindex: known ? 0 : null,
-    "aria-label": known ? name : null,
     on: { click: choose, keydown: (event) => {
       if (event.key !== "Enter" && event.key !== " ") return;
       event.preventDefault();

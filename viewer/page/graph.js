@@ -296,9 +296,8 @@ function graphPane(app) {
     const placeholder = svg("g", { class: "placeholder" },
       ring ? "" : svg("rect", { class: "slot", x: x + 0.5, y: y + 0.5, width: w - 1, height: h - 1, rx: 6 }),
       ring ? "" : svg("text", { class: "note", x: x + 12, y: y + h / 2 + 4, text: note }));
-    const group = svg("g", { class: "item" + (more ? " " + more : ""), tabindex: ring ? "-1" : "0", role: "button",
-      "aria-label": labelOf(card) },
-      svg("g", { class: "body" }, body), placeholder);
+    const group = svg("g", { class: "item" + (more ? " " + more : ""), tabindex: ring ? "-1" : "0", role: "button" },
+      svg("title", { text: labelOf(card) }), svg("g", { class: "body" }, body), placeholder);
     group.dataset.subject = card.subject;
     group.dataset.id = card.id;
     const choose = () => { if (card.subject) app.select(card.subject); };

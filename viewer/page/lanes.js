@@ -286,8 +286,7 @@ function lanesPane(app) {
   }
 
   function selectable(subject, title, more, at, ...children) {
-    const group = svg("g", { class: ("item " + more).trim(), tabindex: at === null ? "-1" : "0", role: "button", "aria-label": title },
-      svg("title", { text: title }), ...children);
+    const group = svg("g", { class: ("item " + more).trim(), tabindex: at === null ? "-1" : "0", role: "button" }, svg("title", { text: title }), ...children);
     group.dataset.subject = subject;
     group.addEventListener("keydown", (event) => {
       if (event.key !== "Enter") return;
