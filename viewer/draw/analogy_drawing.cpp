@@ -195,21 +195,10 @@ class Figure {
     svg_.Box({kRight, kCardTop, kCardWidth, card_height_}, "d-slot", kRadius);
     int base_line = kCardTop + card_height_ / 2 - 8;
     for (const std::string& line :
-         WrapText(WithoutQuotes(SentenceOf(run_, event_)), kCardWidth - 2 * kPadding, 13, 4)) {
+         WrapText(InPrint(SentenceOf(run_, event_)), kCardWidth - 2 * kPadding, 13, 4)) {
       svg_.Text(kRight + kPadding, base_line, line, {"d-2", 13});
       base_line += 20;
     }
-  }
-
-  // Sentences mark quoted knowledge by back quotes; on paper there are the quotes of print.
-  static std::string WithoutQuotes(std::string_view sentence) {
-    std::string text;
-    bool open = false;
-    for (const char c : sentence) {
-      if (c == '`') open = !open;
-      text += c != '`' ? std::string(1, c) : open ? "“" : "”";
-    }
-    return text;
   }
 
   // ---- a component

@@ -6,6 +6,7 @@
 
 #include "engine/query/describe.h"
 #include "engine/query/episode_summary.h"
+#include "viewer/draw/text_fit.h"
 
 namespace aerascope {
 namespace {
@@ -95,17 +96,6 @@ class Picker {
   std::vector<std::int64_t> distance_;  // to the nearest one of its kind that is picked
   std::array<double, kKinds> count_ = {};
 };
-
-// Sentences mark quoted knowledge by back quotes; a caption has the quotes of print.
-std::string InPrint(std::string_view sentence) {
-  std::string text;
-  bool open = false;
-  for (const char c : sentence) {
-    if (c == '`') open = !open;
-    text += c != '`' ? std::string(1, c) : open ? "“" : "”";
-  }
-  return text;
-}
 
 std::string CaptionOf(const Run& run, const KeyMoment& moment) {
   if (const Event* event = run.Find(moment.event)) return InPrint(SentenceOf(run, *event));

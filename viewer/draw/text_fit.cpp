@@ -151,6 +151,16 @@ std::vector<TextRun> WithVariables(std::string_view text, const std::vector<std:
   return runs;
 }
 
+std::string InPrint(std::string_view sentence) {
+  std::string text;
+  bool open = false;
+  for (const char c : sentence) {
+    if (c == '`') open = !open;
+    text += c != '`' ? std::string(1, c) : open ? "\u201c" : "\u201d";
+  }
+  return text;
+}
+
 std::string TwoDecimals(double share) {
   const double clean = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0;
   // Half a hundredth goes up; the small term undoes what binary fractions lose.

@@ -27,6 +27,9 @@ std::vector<std::string> WrapText(std::string_view text, int width, double size,
 std::vector<TextRun> WithVariables(std::string_view text, const std::vector<std::string>& variables,
                                    const std::string& classes = "");
 
+// Sentences mark quoted knowledge by back quotes; a drawing has the quotes of print in their place.
+std::string InPrint(std::string_view sentence);
+
 // A confidence with two decimals: "0.75", "1.00"; and short, for a ring: ".75", "1.0".
 std::string TwoDecimals(double share);
 std::string RingText(double share);

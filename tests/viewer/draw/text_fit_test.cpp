@@ -74,6 +74,12 @@ TEST(TextFit, VariablesAreFoundAsWholeWords) {
   EXPECT_THAT(italic, ElementsAre("H", "C"));
 }
 
+TEST(TextFit, BackQuotesBecomeTheQuotesOfPrint) {
+  EXPECT_EQ(InPrint("`C shape cube` and `C size large` are dropped"),
+            "\u201cC shape cube\u201d and \u201cC size large\u201d are dropped");
+  EXPECT_EQ(InPrint("no quotes"), "no quotes");
+}
+
 TEST(TextFit, ConfidencesAreRoundedHalfUp) {
   EXPECT_EQ(TwoDecimals(0.875), "0.88");
   EXPECT_EQ(TwoDecimals(0.625), "0.63");
