@@ -77,11 +77,6 @@ std::string PredicatesText(const Line& line, const Names& names, std::string_vie
   return text;
 }
 
-std::string LineText(const Line& line, const Names& names, std::string_view separator) {
-  const std::string predicates = PredicatesText(line, names, separator);
-  return line.subject.is(TermKind::kNil) ? predicates : ValueText(line.subject, names) + " " + predicates;
-}
-
 Condition ConditionOf(const Line& line, const Names& names) {
   Condition condition;
   condition.components = line.components;
@@ -228,6 +223,11 @@ std::vector<int> AllVariables(std::size_t count) {
 std::string InWords(const std::vector<std::string>& items) {
   if (items.size() < 2) return Join(items, "");
   return Join({items.begin(), items.end() - 1}, ", ") + " and " + items.back();
+}
+
+std::string LineText(const Line& line, const std::vector<std::string>& names, std::string_view separator) {
+  const std::string predicates = PredicatesText(line, names, separator);
+  return line.subject.is(TermKind::kNil) ? predicates : ValueText(line.subject, names) + " " + predicates;
 }
 
 std::string ClauseOf(const Line& line, const std::vector<std::string>& names) {

@@ -17,33 +17,11 @@ std::string SideText(const KnowledgeBase& knowledge, bool positive, const Term& 
   return (positive ? "" : "not ") + PayloadWords(knowledge, payload, names, writing);
 }
 
-std::string MakesText(const KnowledgeBase& knowledge, const Model& model, const Term& lhs, const Term& rhs,
-                      const Names& names, Writing writing = Writing::kAsGiven) {
-  return SideText(knowledge, model.lhs.positive, lhs, names, writing) +
-         (model.rhs.positive ? " makes " : " ends ") + PayloadWords(knowledge, rhs, names, writing);
-}
-
-// The names of a requirement model's variables, those of its composite state where it passes them on: so that
-// its explanation reads like the composite state's card.
-Names NamesLikeItsState(const KnowledgeBase& knowledge, const Model& requirement) {
-  Names names(VariableCount(requirement));
-  const CompositeStateRecord* state = knowledge.Find(RequiredState(requirement));
-  std::vector<Term> arguments;
-  if (state && ArgumentsOf(state->state, requirement.lhs.payload, &arguments)) {
-    const Names of_state = VariableNames(knowledge, state->state);
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-      if (!arguments[i].is(TermKind::kVariable)) continue;
-      std::string& name = names[static_cast<std::size_t>(arguments[i].variable())];
-      if (name.empty()) name = of_state[i];
-    }
-  }
-  const Names own = VariableNames(knowledge, requirement);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!names[i].empty()) continue;
-    names[i] = own[i];
-    while (std::count(names.begin(), names.end(), names[i]) > 1) names[i] += "'";
-  }
-  return names;
+std::string MakesText(const KnowledgeBase& knowledge, const InstanceSides& sides,
+                      Writing writing = Writing::kAsGiven) {
+  return SideText(knowledge, sides.lhs_positive, sides.lhs, sides.names, writing) +
+         (sides.rhs_positive ? " makes " : " ends ") +
+         PayloadWords(knowledge, sides.rhs, sides.names, writing);
 }
 
 std::string Article(const std::string& phrase) {
@@ -152,10 +130,32 @@ std::string Sentence(std::string text) {
 
 }  // namespace
 
-std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl,
-                              const std::vector<std::string>& names, Writing writing) {
-  const ModelRecord* record = knowledge.Find(imdl[0].model());
-  if (!record) return ValueText(imdl, names);
+std::vector<std::string> NamesLikeItsState(const KnowledgeBase& knowledge, const Model& requirement) {
+  Names names(VariableCount(requirement));
+  const CompositeStateRecord* state = knowledge.Find(RequiredState(requirement));
+  std::vector<Term> arguments;
+  if (state && ArgumentsOf(state->state, requirement.lhs.payload, &arguments)) {
+    const Names of_state = VariableNames(knowledge, state->state);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      if (!arguments[i].is(TermKind::kVariable)) continue;
+      std::string& name = names[static_cast<std::size_t>(arguments[i].variable())];
+      if (name.empty()) name = of_state[i];
+    }
+  }
+  const Names own = VariableNames(knowledge, requirement);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!names[i].empty()) continue;
+    names[i] = own[i];
+    while (std::count(names.begin(), names.end(), names[i]) > 1) names[i] += "'";
+  }
+  return names;
+}
+
+std::optional<InstanceSides> SidesOfInstance(const KnowledgeBase& knowledge, const Term& imdl,
+                                             const std::vector<std::string>& names) {
+  const ModelRecord* record =
+      IsImdl(imdl) && imdl[0].is(TermKind::kModel) ? knowledge.Find(imdl[0].model()) : nullptr;
+  if (!record) return std::nullopt;
   const Model& model = record->model;
   std::vector<Term> arguments;
   ArgumentsOf(model, imdl, &arguments);
@@ -163,7 +163,8 @@ std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl,
   // Open variables are numbered behind those of the instance, with the model's names for them.
   std::size_t outer = names.size();
   ForEachVariable(imdl, [&](int v) { outer = std::max(outer, static_cast<std::size_t>(v) + 1); });
-  Names all = names;
+  InstanceSides sides{model.lhs.positive, model.rhs.positive, {}, {}, names};
+  Names& all = sides.names;
   all.resize(outer);
   for (std::size_t v = 0; v < arguments.size(); ++v) {
     const bool open =
@@ -173,10 +174,18 @@ std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl,
     while (!name.empty() && std::find(all.begin(), all.end(), name) != all.end()) name += "'";
     all.push_back(std::move(name));
   }
+  sides.lhs = WithArguments(model.lhs.payload, arguments);
   // Where the instance leaves the effect open, its formula says more than a name.
-  Term effect = WithArguments(model.rhs.payload, arguments);
-  if (!effect.ground()) effect = WithArguments(RightSide(model), arguments);
-  return MakesText(knowledge, model, WithArguments(model.lhs.payload, arguments), effect, all, writing);
+  sides.rhs = WithArguments(model.rhs.payload, arguments);
+  if (!sides.rhs.ground()) sides.rhs = WithArguments(RightSide(model), arguments);
+  return sides;
+}
+
+std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl,
+                              const std::vector<std::string>& names, Writing writing) {
+  const std::optional<InstanceSides> sides = SidesOfInstance(knowledge, imdl, names);
+  if (!sides) return ValueText(imdl, names);
+  return MakesText(knowledge, *sides, writing);
 }
 
 ModelLines LinesOf(const KnowledgeBase& knowledge, const Model& model) {
@@ -241,10 +250,9 @@ std::string ExplanationOf(const KnowledgeBase& knowledge, ModelId id) {
       return Sentence("Whenever " + lines.lhs + ", then also " + lines.rhs);
     case ModelKind::kDrive:
       return Sentence("To satisfy " + lines.rhs + ", " + lines.lhs + " is wanted");
-    case ModelKind::kCausal: {
-      const Names names = VariableNames(knowledge, model);
-      return Sentence(MakesText(knowledge, model, model.lhs.payload, RightSide(model), names));
-    }
+    case ModelKind::kCausal:
+      return Sentence(MakesText(knowledge, {model.lhs.positive, model.rhs.positive, model.lhs.payload,
+                                            RightSide(model), VariableNames(knowledge, model)}));
   }
   return {};
 }

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <map>
+#include <set>
 #include <tuple>
 
-#include "engine/base/text.h"
+#include "engine/query/without_numbers.h"
 #include "engine/query/words.h"
 
 namespace aerascope {
@@ -18,30 +19,48 @@ struct Entry {
   struct Copy {
     KbDiffSide side;
     Hash128 source;  // content of what it was derived from
+    CompositeStateId state;
+    ModelId model;
 
     auto Key() const {
       // Evidence by its bits: an order for whatever a file may hold, infinities and the like included.
-      return std::tuple(side.state, side.origin, side.strong,
+      return std::tuple(side.model_state, side.origin, side.strong,
                         std::bit_cast<std::uint64_t>(side.evidence.positive),
                         std::bit_cast<std::uint64_t>(side.evidence.total), source);
     }
   };
   std::vector<Copy> copies;  // ordered by what they say, not by number
+  PieceForm form;
+
+  const KbDiffSide& side() const { return copies.front().side; }
 };
 
 using Entries = std::map<Hash128, Entry>;
 
 class Side {
  public:
-  explicit Side(const KnowledgeBase& knowledge) : knowledge_(knowledge) {}
+  explicit Side(const KnowledgeBase& knowledge) : knowledge_(knowledge) {
+    for (const auto& [id, record] : knowledge.models()) {
+      if (!IsRequirement(record.model)) continue;
+      if (const CompositeStateRecord* state = knowledge.Find(RequiredState(record.model)))
+        told_.insert(state->canonical.hash);
+    }
+  }
 
-  Entries Collect() {
+  // The pieces of this side. A composite state is no piece of its own where a requirement model of either
+  // side tells it.
+  Entries Collect(const Side& other) {
     const ModelGraph graph = MakeModelGraph(knowledge_, DeletedModels::kInclude);
-    for (const ModelGraphNode& node : graph.nodes) Add(node);
+    for (const ModelGraphNode& node : graph.nodes) {
+      if (node.is_model() || !(told_.contains(node.content) || other.told_.contains(node.content))) Add(node);
+    }
     for (auto& [content, entry] : entries_) {
       std::stable_sort(entry.copies.begin(), entry.copies.end(),
                        [](const auto& a, const auto& b) { return a.Key() < b.Key(); });
+      const Entry::Copy& first = entry.copies.front();
       entry.copies.front().side.copies = entry.copies.size();
+      entry.form = first.model.valid() ? FormOf(knowledge_, *knowledge_.Find(first.model))
+                                       : FormOf(knowledge_, *knowledge_.Find(first.state));
     }
     return std::move(entries_);
   }
@@ -52,14 +71,27 @@ class Side {
     entry.kind = node.kind;
     if (entry.copies.empty()) entry.title = TitleOfNode(node);
     Entry::Copy copy;
+    copy.state = node.state;
+    copy.model = node.model;
     copy.side.id = node.id;
+    copy.side.content = node.content;
+    copy.side.title = entry.title;
     copy.side.lines = node.lines;
     copy.side.evidence = node.evidence;
     copy.side.strong = node.strong;
-    copy.side.state = node.model_state;
+    copy.side.model_state = node.model_state;
     copy.side.origin = node.origin;
+    if (node.is_model()) NoteParts(knowledge_.Find(node.model)->model, &copy.side);
     NoteSource(node, &copy);
     entry.copies.push_back(std::move(copy));
+  }
+
+  // The other two of a triad.
+  void NoteParts(const Model& model, KbDiffSide* side) const {
+    if (const CompositeStateRecord* state = knowledge_.Find(RequiredState(model)))
+      side->state = IdText(state->state.id);
+    if (const ModelRecord* target = knowledge_.Find(TargetModel(model)))
+      side->target = IdText(target->model.id);
   }
 
   void NoteSource(const ModelGraphNode& node, Entry::Copy* copy) {
@@ -91,11 +123,18 @@ class Side {
   }
 
   const KnowledgeBase& knowledge_;
+  std::set<Hash128> told_;  // contents of composite states that requirement models ask for
   Entries entries_;
 };
 
-// What differs between the copies on both sides, which are compared one by one.
+std::uint64_t Bits(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+// What differs between the copies on both sides, which are compared one by one. Of pieces with different
+// contents, where they come from differs anyway.
 std::vector<std::string> AspectsOf(const Entry& left, const Entry& right) {
+  const bool pair = left.side().content != right.side().content;
   if (left.copies.size() != right.copies.size()) return {"copies"};
   const auto differs = [&](auto&& value_of) {
     return !std::equal(
@@ -104,137 +143,264 @@ std::vector<std::string> AspectsOf(const Entry& left, const Entry& right) {
   };
   using Copy = const Entry::Copy&;
   std::vector<std::string> aspects;
-  if (differs([](Copy copy) { return copy.side.evidence; })) {
-    aspects.push_back(differs([](Copy copy) { return copy.side.evidence.rate(); }) ? "confidence"
-                                                                                   : "evidence");
+  // By their bits, so that what is no number is the same as itself.
+  if (differs([](Copy copy) { return Bits(copy.side.evidence.rate()); })) {
+    aspects.push_back("confidence");
+  } else if (differs([](Copy copy) {
+               return std::pair(Bits(copy.side.evidence.positive), Bits(copy.side.evidence.total));
+             })) {
+    aspects.push_back("evidence");
   }
   if (differs([](Copy copy) { return copy.side.strong; })) aspects.push_back("strength");
-  if (differs([](Copy copy) { return copy.side.state; })) aspects.push_back("state");
-  if (differs([](Copy copy) { return copy.side.origin; })) aspects.push_back("origin");
-  if (differs([](Copy copy) { return copy.source; })) aspects.push_back("derivation");
+  if (differs([](Copy copy) { return copy.side.model_state; })) aspects.push_back("state");
+  if (!pair && differs([](Copy copy) { return copy.side.origin; })) aspects.push_back("origin");
+  if (!pair && differs([](Copy copy) { return copy.source; })) aspects.push_back("derivation");
   return aspects;
 }
 
-KbDiffItem ItemOf(const Hash128& content, const Entry* left, const Entry* right) {
+KbDiffItem ItemOf(const Entry* left, const Entry* right) {
   const Entry& any = left ? *left : *right;
   KbDiffItem item;
   item.change = !left ? KbChange::kAdded : !right ? KbChange::kRemoved : KbChange::kChanged;
   item.kind = any.kind;
-  item.content = content;
+  item.content = any.side().content;
   item.title = any.title;
-  if (left) item.left = left->copies.front().side;
-  if (right) item.right = right->copies.front().side;
+  if (left) item.left = left->side();
+  if (right) item.right = right->side();
   if (left && right) item.aspects = AspectsOf(*left, *right);
   return item;
 }
 
-std::string_view KindWords(ModelGraphNodeKind kind) {
-  switch (kind) {
-    case ModelGraphNodeKind::kCompositeState:
-      return "the composite state";
-    case ModelGraphNodeKind::kCausalModel:
-      return "the causal model";
-    case ModelGraphNodeKind::kRequirementModel:
-      return "the requirement model";
-    case ModelGraphNodeKind::kStrongRequirementModel:
-      return "the strong requirement model";
-    case ModelGraphNodeKind::kReuseModel:
-      return "the reuse model";
-    case ModelGraphNodeKind::kDriveModel:
-      return "the drive model";
+bool ReadsInOrder(const KbDiffItem& a, const KbDiffItem& b) {
+  // Of a pair what is smaller decides, so that the order is the same from either side.
+  const auto key = [](const KbDiffItem& item) {
+    const KbDiffSide& left = item.left ? *item.left : *item.right;
+    const KbDiffSide& right = item.right ? *item.right : *item.left;
+    return std::tuple(item.kind, std::min(left.title, right.title), std::min(left.content, right.content));
+  };
+  return key(a) < key(b);
+}
+
+class Comparison {
+ public:
+  Comparison(const KnowledgeBase& left, const KnowledgeBase& right) : bases_{&left, &right} {
+    Side a(left);
+    Side b(right);
+    entries_[0] = a.Collect(b);
+    entries_[1] = b.Collect(a);
   }
-  return {};
-}
 
-std::string EvidenceText(const Evidence& evidence) {
-  return FormatConfidence(evidence.rate()) + " (" + FormatNumber(evidence.positive, 6) + " of " +
-         FormatNumber(evidence.total, 6) + ")";
-}
+  KbDiffResult Compare() {
+    AddEqual();
+    FindAlone();
+    if (!alone_[0].empty() || !alone_[1].empty()) {
+      MakeGroups();
+      AddPairs();
+      for (const std::size_t side : {0u, 1u}) AddAlone(side);
+    }
+    std::sort(result_.items.begin(), result_.items.end(), ReadsInOrder);
+    std::sort(result_.same.begin(), result_.same.end(), ReadsInOrder);
+    return std::move(result_);
+  }
 
-std::string AspectText(const std::string& aspect, const KbDiffSide& left, const KbDiffSide& right) {
-  const auto from_to = [&](const std::string& a, const std::string& b) {
-    return aspect + " " + a + " and " + b;
+ private:
+  // Pieces of which one may be another form of the other: of one kind, about one model but for its numbers.
+  using GroupKey = std::pair<ModelGraphNodeKind, Hash128>;
+  using Groups = std::map<GroupKey, std::vector<const Entry*>>;
+
+  // Two pieces, one of each side.
+  struct Candidate {
+    const Entry* left = nullptr;
+    const Entry* right = nullptr;
+    Alignment alignment;
+
+    // Better ones first; the last part makes the order the same from either side.
+    auto Key() const {
+      const Hash128& a = left->side().content;
+      const Hash128& b = right->side().content;
+      const bool comparable = alignment.relation != PieceRelation::kOverlapping;
+      return std::tuple(!comparable, alignment.left_only + alignment.right_only, -alignment.shared,
+                        std::min(a, b), std::max(a, b));
+    }
   };
-  if (aspect == "confidence" || aspect == "evidence")
-    return from_to(EvidenceText(left.evidence), EvidenceText(right.evidence));
-  if (aspect == "strength")
-    return from_to(left.strong ? "confirmed" : "open", right.strong ? "confirmed" : "open");
-  if (aspect == "state")
-    return from_to(std::string(EnumName(left.state)), std::string(EnumName(right.state)));
-  if (aspect == "origin")
-    return from_to(std::string(EnumName(left.origin)), std::string(EnumName(right.origin)));
-  if (aspect == "copies") return from_to(std::to_string(left.copies), std::to_string(right.copies));
-  const auto source = [](const KbDiffSide& side) {
-    return side.derived_from.empty() ? std::string("from nothing") : "from " + side.derived_from;
-  };
-  return from_to(source(left), source(right));
-}
+
+  void AddEqual() {
+    for (const auto& [content, entry] : entries_[0]) {
+      const auto other = entries_[1].find(content);
+      if (other == entries_[1].end()) continue;
+      KbDiffItem item = ItemOf(&entry, &other->second);
+      item.rows = Align(entry.form, other->second.form).rows;
+      (item.aspects.empty() ? result_.same : result_.items).push_back(std::move(item));
+    }
+  }
+
+  void FindAlone() {
+    for (const std::size_t side : {0u, 1u}) {
+      for (const auto& [content, entry] : entries_[side])
+        if (!entries_[1 - side].contains(content)) alone_[side].insert(&entry);
+    }
+  }
+
+  void MakeGroups() {
+    for (const std::size_t side : {0u, 1u}) {
+      const WithoutNumbers rules(*bases_[side]);
+      for (const auto& [content, entry] : entries_[side]) {
+        const Entry::Copy& first = entry.copies.front();
+        GroupKey key{entry.kind, {}};
+        if (first.model.valid()) {
+          const Model& model = bases_[side]->Find(first.model)->model;
+          key.second = rules.HashOf(IsRequirement(model) ? TargetModel(model) : first.model);
+        }
+        groups_[side][key].push_back(&entry);
+      }
+    }
+  }
+
+  void AddPairs() {
+    std::vector<Candidate> candidates;
+    for (const auto& [key, left] : groups_[0]) {
+      const auto right = groups_[1].find(key);
+      if (right == groups_[1].end()) continue;
+      for (const Entry* a : left) {
+        if (!alone_[0].contains(a)) continue;
+        for (const Entry* b : right->second) {
+          if (!alone_[1].contains(b)) continue;
+          const std::size_t smaller = std::min(a->form.shapes.size(), b->form.shapes.size());
+          if (CommonShapes(a->form, b->form) < smaller) continue;
+          Candidate candidate{a, b, Align(a->form, b->form)};
+          if (MakesPair(candidate.alignment)) candidates.push_back(std::move(candidate));
+        }
+      }
+    }
+    std::sort(candidates.begin(), candidates.end(),
+              [](const Candidate& a, const Candidate& b) { return a.Key() < b.Key(); });
+    for (Candidate& candidate : candidates) {
+      if (!alone_[0].contains(candidate.left) || !alone_[1].contains(candidate.right)) continue;
+      alone_[0].erase(candidate.left);
+      alone_[1].erase(candidate.right);
+      KbDiffItem item = ItemOf(candidate.left, candidate.right);
+      item.change = ChangeOf(candidate.alignment.relation);
+      item.rows = std::move(candidate.alignment.rows);
+      result_.items.push_back(std::move(item));
+    }
+  }
+
+  static bool MakesPair(const Alignment& alignment) {
+    switch (alignment.relation) {
+      case PieceRelation::kSame:
+      case PieceRelation::kOtherValues:
+        return true;
+      case PieceRelation::kGeneralised:
+      case PieceRelation::kSpecialised:
+        return alignment.shared > 0;
+      case PieceRelation::kOverlapping:
+      case PieceRelation::kUnrelated:
+        return false;
+    }
+    return false;
+  }
+
+  static KbChange ChangeOf(PieceRelation relation) {
+    if (relation == PieceRelation::kGeneralised) return KbChange::kGeneralised;
+    if (relation == PieceRelation::kSpecialised) return KbChange::kSpecialised;
+    return KbChange::kOtherValues;
+  }
+
+  void AddAlone(std::size_t side) {
+    for (const auto& [key, entries] : groups_[side]) {
+      for (const Entry* entry : entries) {
+        if (!alone_[side].contains(entry)) continue;
+        KbDiffItem item = side == 0 ? ItemOf(entry, nullptr) : ItemOf(nullptr, entry);
+        std::optional<Candidate> nearest = Nearest(*entry, side, key);
+        if (nearest) {
+          const Entry& other = side == 0 ? *nearest->right : *nearest->left;
+          item.relative = {nearest->alignment.relation, other.side().id, other.title, other.side().content};
+          item.rows = std::move(nearest->alignment.rows);
+        } else {
+          item.rows = RowsOf(entry->form, side == 0 ? PartStatus::kLeftOnly : PartStatus::kRightOnly);
+        }
+        result_.items.push_back(std::move(item));
+      }
+    }
+  }
+
+  // Of the few that have most in common by their shapes, the one that is closest.
+  std::optional<Candidate> Nearest(const Entry& entry, std::size_t side, const GroupKey& key) const {
+    const auto group = groups_[1 - side].find(key);
+    if (group == groups_[1 - side].end()) return std::nullopt;
+    constexpr std::size_t kFew = 8;
+    std::vector<std::pair<std::size_t, const Entry*>> likely;
+    for (const Entry* other : group->second)
+      likely.emplace_back(CommonShapes(entry.form, other->form), other);
+    const auto better = [](const auto& a, const auto& b) {
+      return std::pair(b.first, a.second->side().content) < std::pair(a.first, b.second->side().content);
+    };
+    const auto end = likely.begin() + static_cast<std::ptrdiff_t>(std::min(kFew, likely.size()));
+    std::partial_sort(likely.begin(), end, likely.end(), better);
+    std::optional<Candidate> nearest;
+    for (auto it = likely.begin(); it != end; ++it) {
+      const Entry& other = *it->second;
+      Candidate candidate = side == 0 ? Candidate{&entry, &other, Align(entry.form, other.form)}
+                                      : Candidate{&other, &entry, Align(other.form, entry.form)};
+      if (candidate.alignment.relation == PieceRelation::kUnrelated || candidate.alignment.shared == 0)
+        continue;
+      if (!nearest || candidate.Key() < nearest->Key()) nearest = std::move(candidate);
+    }
+    return nearest;
+  }
+
+  const KnowledgeBase* bases_[2];
+  Entries entries_[2];
+  Groups groups_[2];
+  std::set<const Entry*> alone_[2];  // no order is taken from it
+  KbDiffResult result_;
+};
 
 }  // namespace
 
-std::string_view NameOf(KbChange change) {
-  switch (change) {
-    case KbChange::kAdded:
-      return "added";
-    case KbChange::kRemoved:
-      return "removed";
-    case KbChange::kChanged:
-      return "changed";
-  }
-  return {};
-}
-
 KbDiffResult DiffKnowledge(const KnowledgeBase& left, const KnowledgeBase& right) {
-  const Entries a = Side(left).Collect();
-  const Entries b = Side(right).Collect();
-  KbDiffResult result;
-  for (const auto& [content, entry] : a) {
-    const auto other = b.find(content);
-    if (other == b.end()) {
-      result.items.push_back(ItemOf(content, &entry, nullptr));
-      ++result.removed;
-      continue;
-    }
-    KbDiffItem item = ItemOf(content, &entry, &other->second);
-    if (item.aspects.empty()) {
-      ++result.same;
-    } else {
-      result.items.push_back(std::move(item));
-      ++result.changed;
-    }
-  }
-  for (const auto& [content, entry] : b) {
-    if (a.contains(content)) continue;
-    result.items.push_back(ItemOf(content, nullptr, &entry));
-    ++result.added;
-  }
-  std::sort(result.items.begin(), result.items.end(), [](const KbDiffItem& x, const KbDiffItem& y) {
-    return std::tie(x.kind, x.title, x.content) < std::tie(y.kind, y.title, y.content);
-  });
-  return result;
+  return Comparison(left, right).Compare();
 }
 
 KbDiffResult Exchanged(KbDiffResult difference) {
-  std::swap(difference.added, difference.removed);
-  for (KbDiffItem& item : difference.items) {
-    std::swap(item.left, item.right);
-    if (item.change == KbChange::kAdded)
-      item.change = KbChange::kRemoved;
-    else if (item.change == KbChange::kRemoved)
-      item.change = KbChange::kAdded;
+  for (std::vector<KbDiffItem>* items : {&difference.items, &difference.same}) {
+    for (KbDiffItem& item : *items) {
+      std::swap(item.left, item.right);
+      item.change = Exchanged(item.change);
+      if (item.relative) item.relative->relation = Exchanged(item.relative->relation);
+      item.rows = Exchanged(std::move(item.rows));
+      const KbDiffSide& first = item.left ? *item.left : *item.right;
+      item.title = first.title;
+      item.content = first.content;
+    }
   }
   return difference;
 }
 
-std::string SentenceOf(const KbDiffItem& item, const std::string& left_name, const std::string& right_name) {
-  const std::string what = std::string(KindWords(item.kind)) + " \"" + item.title + "\"";
-  if (!item.left) return "Only " + right_name + " has " + what + " (" + item.right->id + ").";
-  if (!item.right) return "Only " + left_name + " has " + what + " (" + item.left->id + ").";
-  std::vector<std::string> aspects;
-  for (const std::string& aspect : item.aspects)
-    aspects.push_back(AspectText(aspect, *item.left, *item.right));
-  return "Both have " + what + " (" + item.left->id + ", " + item.right->id + "), with " +
-         Join(aspects, "; ") + ".";
+KbChange Exchanged(KbChange change) {
+  switch (change) {
+    case KbChange::kAdded:
+      return KbChange::kRemoved;
+    case KbChange::kRemoved:
+      return KbChange::kAdded;
+    case KbChange::kGeneralised:
+      return KbChange::kSpecialised;
+    case KbChange::kSpecialised:
+      return KbChange::kGeneralised;
+    case KbChange::kOtherValues:
+    case KbChange::kChanged:
+      return change;
+  }
+  return change;
+}
+
+bool KbDiffItem::has_aspect(std::string_view aspect) const {
+  return std::find(aspects.begin(), aspects.end(), aspect) != aspects.end();
+}
+
+std::int64_t KbDiffResult::Count(KbChange change) const {
+  return std::count_if(items.begin(), items.end(),
+                       [&](const KbDiffItem& item) { return item.change == change; });
 }
 
 }  // namespace aerascope

@@ -1,7 +1,9 @@
 // Building blocks of sentences, shared by the descriptions of knowledge and of events; others use describe.h.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/kb/knowledge_base.h"
@@ -12,6 +14,8 @@ namespace aerascope {
 // "a", "a and b", "a, b and c".
 std::string InWords(const std::vector<std::string>& items);
 
+// A line of a composite state, what is said of one thing parted by the separator: "C size large, at P".
+std::string LineText(const Line& line, const std::vector<std::string>& names, std::string_view separator);
 // A line without commas, fit for a sentence: "C size large at P".
 std::string ClauseOf(const Line& line, const std::vector<std::string>& names);
 // A payload as clauses; an instance of a composite state gives several.
@@ -21,6 +25,24 @@ std::vector<std::string> ClausesOf(const KnowledgeBase& knowledge, const Term& p
 // The same as one phrase; PayloadText (describe.h) is this, as given.
 std::string PayloadWords(const KnowledgeBase& knowledge, const Term& payload,
                          const std::vector<std::string>& names, Writing writing);
+
+// The names of a requirement model's variables, those of its composite state where it passes them on: so that
+// its explanation reads like the composite state's card.
+std::vector<std::string> NamesLikeItsState(const KnowledgeBase& knowledge, const Model& requirement);
+
+// The two sides of the model that an instance is of, with the instance's arguments written in.
+struct InstanceSides {
+  bool lhs_positive = true;
+  bool rhs_positive = true;
+  Term lhs;
+  Term rhs;
+  // Of the instance's variables, and behind them of those that the instance leaves open, by the model's
+  // names.
+  std::vector<std::string> names;
+};
+// Nothing if there is no such model.
+std::optional<InstanceSides> SidesOfInstance(const KnowledgeBase& knowledge, const Term& imdl,
+                                             const std::vector<std::string>& names);
 
 // An instance of a model: "grab_type_2 [h] makes h holding [s1]". What it leaves open keeps the model's own
 // names.

@@ -1,5 +1,6 @@
 // The difference of two knowledge bases for people (text, Markdown) and programs (JSON): totals first, then
-// one sentence a difference and what the item says.
+// what went into the runs differently and where they part, then one sentence a difference and what the item
+// says, part by part.
 #pragma once
 
 #include <iosfwd>
@@ -7,6 +8,7 @@
 
 #include "engine/base/result.h"
 #include "engine/query/kb_diff.h"
+#include "engine/query/run_diff.h"
 
 namespace aerascope {
 
@@ -16,8 +18,14 @@ struct DiffNames {
   std::string right = "right";
 };
 
-Status WriteDiffText(const KbDiffResult& difference, const DiffNames& names, std::ostream& out);
-Status WriteDiffMarkdown(const KbDiffResult& difference, const DiffNames& names, std::ostream& out);
-Status WriteDiffJson(const KbDiffResult& difference, const DiffNames& names, std::ostream& out);
+struct DiffReport {
+  const KbDiffResult& knowledge;
+  DiffNames names;
+  RunDiff runs = {};  // empty where only knowledge bases are compared
+};
+
+Status WriteDiffText(const DiffReport& report, std::ostream& out);
+Status WriteDiffMarkdown(const DiffReport& report, std::ostream& out);
+Status WriteDiffJson(const DiffReport& report, std::ostream& out);
 
 }  // namespace aerascope

@@ -16,7 +16,6 @@ MISSING_MODELS = {
     ("requirement_model", "release a large cube"),
     ("requirement_model", "release something large"),
 }
-MISSING_STATES = 4
 
 # Reads a GraphML file and prints the graph in the form of `graph_of_json`.
 READ_GRAPHML = """
@@ -31,18 +30,26 @@ class Diff(EndToEndTest):
     def test_two_seeds_know_the_same(self):
         other = recorded(DEMO, "seed_9", "--seed", "9")
         outcome = self.run_program("diff", demo_episode(), other, status=0)
-        self.assertRegex(outcome.out, r"\ANo difference: all 28 pieces of .* are the same\.\n\Z")
+        self.assertRegex(outcome.out, r"\ANo difference: all 19 pieces of .* are the same\.\n\nThe seed is 1 in .* and 9 in .*\n")
         difference = json.loads(self.run_program("diff", demo_episode(), other, "--format", "json").out)
         self.assertEqual(difference["items"], [])
+        self.assertEqual(len(difference["same_items"]), 19)
+        self.assertEqual(difference["runs"]["settings"][0], {"name": "seed", "left": "1", "right": "9"})
+        self.assertEqual({drive["left"].split(" at ")[0] for drive in difference["runs"]["drives"]}, {"reached"})
 
     def check_one_lesson(self, whole, less):
         """The difference to a run without the second lesson, in all formats."""
         difference = json.loads(self.run_program("diff", whole, less, "--format", "json", status=1).out)
-        self.assertEqual((difference["added"], difference["removed"]), (0, len(MISSING_MODELS) + MISSING_STATES))
+        self.assertEqual((difference["added"], difference["removed"]), (0, len(MISSING_MODELS)))
         removed = [item for item in difference["items"] if item["change"] == "removed"]
-        self.assertEqual({(item["kind"], item["title"]) for item in removed if item["kind"] != "composite_state"},
-                         MISSING_MODELS)
-        self.assertEqual(sum(item["kind"] == "composite_state" for item in removed), MISSING_STATES)
+        self.assertEqual({(item["kind"], item["title"]) for item in removed}, MISSING_MODELS)
+        # Each with its composite state, condition by condition.
+        for item in removed:
+            self.assertEqual(bool(item["left"]["composite_state"]), item["kind"] == "requirement_model")
+            self.assertTrue(any(part["part"] == "condition" for part in item["parts"]) or
+                            item["kind"] == "causal_model")
+        self.assertIn("scenario.toml", [file["name"] for file in difference["runs"]["files"]])
+        self.assertRegex(difference["runs"]["parting"]["left"]["sentence"], "^The teacher commands move")
         self.assertEqual(len({item["content"] for item in removed}), len(removed))
         for item in removed:
             self.assertIsNone(item["right"])

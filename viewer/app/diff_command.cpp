@@ -1,6 +1,5 @@
 // aerascope diff: what one agent knows and another does not.
 #include <CLI/CLI.hpp>
-
 #include <memory>
 #include <sstream>
 
@@ -21,27 +20,35 @@ struct Options {
   std::string output = "-";
 };
 
-Result<KnowledgeBase> KnowledgeIn(const std::string& text) {
+struct Side {
+  Run run;
+  Time at;
+};
+
+Result<Side> OpenSide(const std::string& text) {
   const EpisodeAt which = SplitEpisodeAt(text);
   auto run = OpenRun(which.path);
   if (!run) return run.error();
   NoteIncomplete(which.path, run->complete(), run->events().size());
   auto at = ParseMoment(which.moment, *run);
   if (!at) return at.error();
-  return run->KnowledgeBaseAt(*at);
+  return Side{std::move(*run), *at};
 }
 
 int Compare(const Options& options) {
-  auto left = KnowledgeIn(options.left);
+  if (Status fine = CheckWritable(options.output); !fine) return Fail(fine.error());
+  auto left = OpenSide(options.left);
   if (!left) return Fail(left.error());
-  auto right = KnowledgeIn(options.right);
+  auto right = OpenSide(options.right);
   if (!right) return Fail(right.error());
-  const KbDiffResult difference = DiffKnowledge(*left, *right);
-  const DiffNames names{options.left, options.right};
+  const KbDiffResult difference =
+      DiffKnowledge(left->run.KnowledgeBaseAt(left->at), right->run.KnowledgeBaseAt(right->at));
+  const DiffReport report{
+      difference, {options.left, options.right}, DiffRuns({left->run, left->at}, {right->run, right->at})};
   std::ostringstream text;
-  const Status status = options.format == "json"       ? WriteDiffJson(difference, names, text)
-                        : options.format == "markdown" ? WriteDiffMarkdown(difference, names, text)
-                                                       : WriteDiffText(difference, names, text);
+  const Status status = options.format == "json"       ? WriteDiffJson(report, text)
+                        : options.format == "markdown" ? WriteDiffMarkdown(report, text)
+                                                       : WriteDiffText(report, text);
   if (!status) return Fail(status.error());
   if (Status written = WriteFile(options.output, text.str()); !written) return Fail(written.error());
   return difference.empty() ? kDone : kDifferent;
@@ -51,14 +58,15 @@ int Compare(const Options& options) {
 
 void AddDiffCommand(CLI::App& app, Chosen* chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("diff", "Compare two knowledge bases by content; status 0 if equal, 1 if they differ");
+  CLI::App* command = app.add_subcommand(
+      "diff", "Compare two knowledge bases by content; status 0 if equal, 1 if they differ");
   command->add_option("left", options->left, "An episode, or episode@TIME")->required();
   command->add_option("right", options->right, "An episode, or episode@TIME")->required();
   command->add_option("--format", options->format, "text, json or markdown")
       ->check(CLI::IsMember({"text", "json", "markdown"}))
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "The file to write; - is standard output")->capture_default_str();
+  command->add_option("-o,--output", options->output, "The file to write; - is standard output")
+      ->capture_default_str();
   command->callback([=] { *chosen = [=] { return Compare(*options); }; });
 }
 
