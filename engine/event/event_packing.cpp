@@ -120,6 +120,7 @@ void EventPacker::Pack(const Event& event, PackedBytes* to) {
   pack(event.simulation);
   pack(event.causes);
   std::visit(pack, event.body);
+  to->Expect();
 }
 
 Event EventUnpacker::Unpack(PackedReader* from) {

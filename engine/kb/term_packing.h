@@ -35,6 +35,15 @@ class PackedBytes {
     std::swap(room_, other.room_);
   }
 
+  // Asks for the memory that what comes next will be put into: another thread read there before, and to get
+  // it back takes longer than to fill it.
+  void Expect() const {
+    constexpr std::size_t kLine = 64;
+    for (std::size_t ahead = 2 * kLine; ahead <= 6 * kLine && size_ + ahead < room_; ahead += kLine) {
+      __builtin_prefetch(bytes_.get() + size_ + ahead, 1);
+    }
+  }
+
   // A number, a boolean or an enum as it lies in memory.
   template <class T>
   void Put(T value) {

@@ -34,7 +34,7 @@ constexpr std::size_t kMostQueuedEvents = 8192;
 constexpr std::size_t kMostQueuedBytes = 32u << 20;
 // The writer is woken early at this fill; else it looks every kLookEvery, which spares the reasoner the
 // waking.
-constexpr std::size_t kWakeAt = 2048;
+constexpr std::size_t kWakeAt = 4096;
 constexpr std::chrono::milliseconds kLookEvery{10};
 // What a reasoner says until the writer looks again is packed in memory that is there already.
 constexpr std::size_t kPreparedBytes = 512u << 10;
