@@ -1,40 +1,11 @@
-// ---- base.js: making elements, and words and numbers for people.
+// ---- base.js: words and numbers for people.
 
-const $ = (id) => document.getElementById(id);
-const SVG = "http://www.w3.org/2000/svg";
-
-// Everything from the episode reaches the page as text or attribute value through these two, never as markup.
-function build(node, attributes, children) {
-  for (const [name, value] of Object.entries(attributes || {})) {
-    if (value === null || value === undefined || value === false) continue;
-    if (name === "text") node.textContent = value;
-    else if (name === "on") for (const [event, handler] of Object.entries(value)) node.addEventListener(event, handler);
-    else node.setAttribute(name, value === true ? "" : value);
-  }
-  node.append(...children.flat().filter((child) => child !== null && child !== undefined && child !== ""));
-  return node;
-}
-const el = (tag, attributes, ...children) => build(document.createElement(tag), attributes, children);
-const svg = (tag, attributes, ...children) => build(document.createElementNS(SVG, tag), attributes, children);
-
-function mark(name, more) {
-  return svg("svg", { class: "mark" + (more ? " " + more : ""), "aria-hidden": "true" },
-    svg("use", { href: "#m-" + name }));
-}
 // A mark inside a drawing, its middle at x, y.
 function signAt(name, x, y, size, more) {
   return svg("svg", { class: more, x: x - size / 2, y: y - size / 2, width: size, height: size, "aria-hidden": "true" },
     svg("use", { href: "#m-" + name }));
 }
 
-// Text in which the names of variables are set in italics.
-function withVariables(text, variables, tag) {
-  const italic = (word) => (tag === "tspan" ? svg("tspan", { class: "var", "font-style": "italic", text: word })
-    : el("span", { class: "var", text: word }));
-  const names = new Set(variables || []);
-  if (!names.size) return [text];
-  return text.split(/([\p{L}\p{N}_]+)/u).map((word) => (names.has(word) ? italic(word) : word));
-}
 // The same for a line that a generalisation dropped: struck.
 function conditionLine(line) {
   const parts = withVariables(line.text, line.vars);
@@ -43,13 +14,6 @@ function conditionLine(line) {
 // With a capital in front, unless the first word is a name such as grab_type_2.
 function capitalised(text) {
   return /[_0-9]/.test(text.split(" ")[0]) ? text : text.charAt(0).toUpperCase() + text.slice(1);
-}
-// Sentences: ids of things that can be selected are set off, code marks are taken away.
-function sentence(text) {
-  return text.split(/(\b(?:mdl|cst|goal|pred)_\d+\b|`[^`]*`)/).map((part) => {
-    if (part.startsWith("`") && part.length > 1) return "\u201c" + part.slice(1, -1) + "\u201d";
-    return /^(mdl|cst)_\d+$/.test(part) ? el("b", { text: part }) : part;
-  });
 }
 
 // Seconds with just the decimals that the sampling period needs.

@@ -190,8 +190,7 @@ class App {
 
   setTheme(theme) {
     this.theme = theme;
-    const dark = theme ? theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-    document.documentElement.dataset.theme = dark ? "dark" : "light";
+    showTheme(theme);
   }
 }
 

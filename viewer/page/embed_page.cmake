@@ -1,7 +1,14 @@
-# Turns the page's own files into C++ text, with the SHA-256 of script and style for the content security policy.
-#   cmake -DFOLDER=.. -DOUTPUT=.. -DSCRIPTS=a.js,b.js -P embed_page.cmake
-file(READ ${FOLDER}/page.html page)
-file(READ ${FOLDER}/page.css style)
+# Turns the files of one page into C++ text, with the SHA-256 of script and style for the content security policy.
+#   cmake -DFOLDER=.. -DOUTPUT=.. -DPAGE=x.html -DSTYLES=a.css,b.css -DSCRIPTS=a.js,b.js -P embed_page.cmake
+file(READ ${FOLDER}/${PAGE} page)
+file(READ ${FOLDER}/icons.html icons)
+string(REPLACE "<!--icons-->\n" "${icons}" page "${page}")
+string(REPLACE "," ";" styles "${STYLES}")
+set(style "")
+foreach(name IN LISTS styles)
+  file(READ ${FOLDER}/${name} part)
+  string(APPEND style "${part}")
+endforeach()
 string(REPLACE "," ";" scripts "${SCRIPTS}")
 set(script "\n(() => {\n\"use strict\";\n")
 foreach(name IN LISTS scripts)

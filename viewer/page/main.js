@@ -76,16 +76,9 @@ function listenToKeys(app, search) {
 
 // The address of this moment, this selection and this view.
 async function copyLink(app) {
-  const address = location.href.split("#")[0] + app.address();
-  const say = (text) => { $("said").textContent = text; setTimeout(() => { $("said").textContent = ""; }, 2500); };
-  try {
-    await navigator.clipboard.writeText(address);
-    say("Link copied");
-  } catch {
-    history.replaceState(null, "", app.address());
-    app.known = location.hash;
-    say("The link stands in the address bar");
-  }
+  if (await copyAddress(location.href.split("#")[0] + app.address())) return;
+  history.replaceState(null, "", app.address());
+  app.known = location.hash;
 }
 
 function listenToTheme(app) {

@@ -7,21 +7,13 @@
 
 #include "engine/base/markup.h"
 #include "engine/base/text.h"
-#include "viewer/page/embedded_page.inc"
-#include "viewer/page/encoding.h"
+#include "viewer/page/embedded_report.inc"
 #include "viewer/page/page_blocks.h"
+#include "viewer/page/page_template.h"
 #include "viewer/page/report_data.h"
 
 namespace aerascope {
 namespace {
-
-// `beside`: pictures and video are files beside the page.
-std::string ContentPolicy(bool beside) {
-  return "default-src 'none'; script-src 'sha256-" + Base64(BytesOfHex(kScriptSha256)) +
-         "'; style-src 'sha256-" + Base64(BytesOfHex(kStyleSha256)) +
-         "'; img-src blob: data:" + (beside ? " 'self'" : "") +
-         "; media-src blob:" + (beside ? " 'self'" : "") + "; base-uri 'none'; form-action 'none'";
-}
 
 std::string_view EndingOf(std::string_view mime) {
   const std::size_t slash = mime.find('/');
@@ -69,28 +61,6 @@ class Pictures {
   std::map<std::string, std::string> files_;
 };
 
-// The template with every @name@ replaced; a name without a value stays.
-std::string Filled(std::string_view page, const std::map<std::string_view, std::string_view>& values) {
-  std::string filled;
-  std::size_t at = 0;
-  while (at < page.size()) {
-    const std::size_t open = page.find('@', at);
-    const std::size_t close = open == std::string_view::npos ? open : page.find('@', open + 1);
-    if (close == std::string_view::npos) break;
-    const auto value = values.find(page.substr(open + 1, close - open - 1));
-    filled += page.substr(at, open - at);
-    if (value == values.end()) {
-      filled += '@';
-      at = open + 1;
-      continue;
-    }
-    filled += value->second;
-    at = close + 1;
-  }
-  filled += page.substr(at);
-  return filled;
-}
-
 std::string Megabytes(std::size_t bytes) {
   return FormatNumber(static_cast<double>(bytes) / 1e6, 3) + " MB";
 }
@@ -103,7 +73,7 @@ Result<Report> BuildReport(const Run& run, const ReportFrames& frames, const Rep
   if (Status added = AddReportData(run, frames, pictures.names(), options, &data); !added)
     return added.error();
   const std::string title = EscapeMarkup(ReportTitle(run));
-  const std::string policy = ContentPolicy(!options.picture_folder.empty());
+  const std::string policy = ContentPolicy(kScriptSha256, kStyleSha256, !options.picture_folder.empty());
   // What the page needs to open stands before its script, which does not wait for the rest.
   const std::string& first = data.first.html();
   const std::string rest = data.later.html() + pictures.blocks().html();
