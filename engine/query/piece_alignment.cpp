@@ -117,7 +117,8 @@ PieceForm FormOfRequirement(const KnowledgeBase& knowledge, const ModelRecord& r
 }
 
 // Each part of the smaller piece beside a part of the larger one, under one renaming of variables: as many as
-// possible, those with equal numbers first. Goes back where that fails, for a bounded number of steps.
+// possible; then parts of one nested state beside parts of one; then equal numbers. Goes back where that
+// fails, for a bounded number of steps.
 class Matching {
  public:
   Matching(const PieceForm& small, const PieceForm& large)
@@ -146,12 +147,14 @@ class Matching {
 
  private:
   static constexpr int kMaxSteps = 20'000;
-  static constexpr std::int64_t kAgreement = 10'000;  // outweighs any number of changed numbers
+  static constexpr std::int64_t kTogether = 10'000;        // outweighs any number of changed numbers
+  static constexpr std::int64_t kAgreement = 100'000'000;  // outweighs any number of those
 
   static bool IsSide(PartRole role) { return role == PartRole::kLeft || role == PartRole::kRight; }
 
   void Place(std::size_t at, std::int64_t score) {
-    if (score + kAgreement * static_cast<std::int64_t>(order_.size() - at) <= best_score_) return;
+    if (score + (kAgreement + kTogether) * static_cast<std::int64_t>(order_.size() - at) <= best_score_)
+      return;
     if (at == order_.size()) {
       best_score_ = score;
       best_partner_ = partner_;
@@ -172,7 +175,8 @@ class Matching {
           used_[j] = true;
           partner_[i] = static_cast<int>(j);
           changed_[i] = changed;
-          Place(at + 1, score + kAgreement - (changed ? 1 : 0));
+          const std::int64_t together = InOneState(i, j) ? kTogether : 0;
+          Place(at + 1, score + kAgreement + together - (changed ? 1 : 0));
           used_[j] = false;
         }
         partner_[i] = -1;
@@ -182,6 +186,17 @@ class Matching {
       }
     }
     if (!IsSide(part.role) && steps_ <= kMaxSteps) Place(at + 1, score);
+  }
+
+  // Whether part i beside part j keeps nested states together, so far.
+  bool InOneState(std::size_t i, std::size_t j) const {
+    for (std::size_t k = 0; k < small_.parts.size(); ++k) {
+      if (k == i || partner_[k] < 0) continue;
+      const auto other = static_cast<std::size_t>(partner_[k]);
+      const bool together = small_.parts[k].instance == small_.parts[i].instance;
+      if (together != (large_.parts[other].instance == large_.parts[j].instance)) return false;
+    }
+    return true;
   }
 
   bool Same(const Term& a, const Term& b, bool* changed) {

@@ -58,6 +58,8 @@ std::vector<SettingDifference> DifferingSettings(const Run& left, const Run& rig
   for (const std::string& name : names) {
     std::optional<std::string> here = ValueIn(a, name);
     std::optional<std::string> there = ValueIn(b, name);
+    // Where it is the world's seed, that says it already.
+    if (name == "setting random_seed" && here == ValueIn(a, "seed") && there == ValueIn(b, "seed")) continue;
     if (here != there) differences.push_back({name, std::move(here), std::move(there)});
   }
   return differences;

@@ -9,6 +9,7 @@
 #include "viewer/app/file_output.h"
 #include "viewer/app/moment.h"
 #include "viewer/app/terminal.h"
+#include "viewer/page/diff_page.h"
 
 namespace aerascope {
 namespace {
@@ -35,6 +36,23 @@ Result<Side> OpenSide(const std::string& text) {
   return Side{std::move(*run), *at};
 }
 
+// The difference in the format that was asked for.
+Result<std::string> Told(const Options& options, const Side& left, const Side& right,
+                         const KbDiffResult& difference) {
+  const RunDiff runs = DiffRuns({left.run, left.at}, {right.run, right.at});
+  if (options.format == "html") {
+    return BuildDiffPage({left.run, left.at, options.left}, {right.run, right.at, options.right}, difference,
+                         runs);
+  }
+  const DiffReport report{difference, {options.left, options.right}, runs};
+  std::ostringstream text;
+  const Status status = options.format == "json"       ? WriteDiffJson(report, text)
+                        : options.format == "markdown" ? WriteDiffMarkdown(report, text)
+                                                       : WriteDiffText(report, text);
+  if (!status) return status.error();
+  return text.str();
+}
+
 int Compare(const Options& options) {
   if (Status fine = CheckWritable(options.output); !fine) return Fail(fine.error());
   auto left = OpenSide(options.left);
@@ -43,14 +61,9 @@ int Compare(const Options& options) {
   if (!right) return Fail(right.error());
   const KbDiffResult difference =
       DiffKnowledge(left->run.KnowledgeBaseAt(left->at), right->run.KnowledgeBaseAt(right->at));
-  const DiffReport report{
-      difference, {options.left, options.right}, DiffRuns({left->run, left->at}, {right->run, right->at})};
-  std::ostringstream text;
-  const Status status = options.format == "json"       ? WriteDiffJson(report, text)
-                        : options.format == "markdown" ? WriteDiffMarkdown(report, text)
-                                                       : WriteDiffText(report, text);
-  if (!status) return Fail(status.error());
-  if (Status written = WriteFile(options.output, text.str()); !written) return Fail(written.error());
+  auto told = Told(options, *left, *right, difference);
+  if (!told) return Fail(told.error());
+  if (Status written = WriteFile(options.output, *told); !written) return Fail(written.error());
   return difference.empty() ? kDone : kDifferent;
 }
 
@@ -62,8 +75,8 @@ void AddDiffCommand(CLI::App& app, Chosen* chosen) {
       "diff", "Compare two knowledge bases by content; status 0 if equal, 1 if they differ");
   command->add_option("left", options->left, "An episode, or episode@TIME")->required();
   command->add_option("right", options->right, "An episode, or episode@TIME")->required();
-  command->add_option("--format", options->format, "text, json or markdown")
-      ->check(CLI::IsMember({"text", "json", "markdown"}))
+  command->add_option("--format", options->format, "text, json, markdown, or html for a page to look at")
+      ->check(CLI::IsMember({"text", "json", "markdown", "html"}))
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "The file to write; - is standard output")
       ->capture_default_str();

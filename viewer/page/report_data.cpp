@@ -9,6 +9,7 @@
 #include "viewer/page/film_data.h"
 #include "viewer/page/graph_data.h"
 #include "viewer/page/page_json.h"
+#include "viewer/page/provenance.h"
 #include "viewer/page/report_context.h"
 #include "viewer/page/shortened.h"
 #include "viewer/page/subject_data.h"
@@ -18,10 +19,6 @@ namespace aerascope {
 namespace {
 
 using nlohmann::json;
-
-std::string Plural(std::int64_t count, const std::string& word) {
-  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
-}
 
 class ReportAuthor {
  public:
@@ -39,8 +36,8 @@ class ReportAuthor {
   json Write(json log) const {
     return {{"title", Shortened(Printable(run_.title()), kLongestTitle)},
             {"summary", Summary()},
-            {"provenance", Provenance()},
-            {"warning", Warning()},
+            {"provenance", ProvenanceOf(run_, options_.file_name)},
+            {"warning", WarningAbout(run_)},
             {"clock", Clock()},
             {"film", FilmData(frames_, images_)},
             {"objects", Objects()},
@@ -55,7 +52,7 @@ class ReportAuthor {
   }
 
  private:
-  // ---- heading, sources
+  // ---- heading
 
   json Summary() const {
     const auto drives = static_cast<std::int64_t>(summary_.drives.size());
@@ -79,43 +76,6 @@ class ReportAuthor {
                              Plural(summary_.score.made, "prediction") + " came true",
                          "prediction", summary_.score.failed > 0));
     return items;
-  }
-
-  std::string Provenance() const {
-    std::string text = options_.file_name.empty() ? "" : Printable(options_.file_name) + ", ";
-    text += SecondsText(run_.end()) + " in " +
-            Plural(static_cast<std::int64_t>(run_.frames().size()), "frame") + ", " +
-            Plural(static_cast<std::int64_t>(run_.events().size()), "event") + "\n";
-    text += "engine " + Printable(run_.header().program_version) + ", seed " +
-            std::to_string(run_.started().seed);
-    return text + ", " + DigestText();
-  }
-
-  Hash128 Digest() const {
-    EventDigest digest;
-    for (const Event& event : run_.events()) digest.Add(event);
-    return digest.Value();
-  }
-
-  std::string DigestText() const {
-    const Hash128 digest = Digest();
-    const std::string name = "digest " + ToText(digest).substr(0, 8);
-    if (!run_.complete()) return name + ", incomplete";
-    if (!run_.stored_digest()) return name;
-    return name + (*run_.stored_digest() == digest ? ", verified" : ", NOT the one stored");
-  }
-
-  std::string Warning() const {
-    std::vector<std::string> sentences;
-    if (!run_.complete())
-      sentences.push_back("This run is incomplete: it stops after event " +
-                          std::to_string(run_.events().size()) + " at " +
-                          SecondsText(run_.events().empty() ? Time{} : run_.events().back().time) +
-                          ". What follows in the world is not known.");
-    if (run_.complete() && run_.stored_digest() && *run_.stored_digest() != Digest())
-      sentences.push_back(
-          "The events do not give the digest stored with them: the file was changed after the run.");
-    return Join(sentences, " ");
   }
 
   // ---- clock, things

@@ -40,3 +40,21 @@ interface EventTarget {
 interface Document {
   getElementById(id: string): any;
 }
+
+// The block "diff-data" of the page of a difference. Made by diff_data.cpp.
+interface DiffPiece {
+  id: string; title: string; state: string; target: string; copies: number; origin: string; how: string; from: string;
+  sure?: number | null; positive?: number | null; total?: number | null; strong?: boolean; model_state?: string; curve?: [Time, number | null][];
+}
+interface DiffItem {
+  key: string; change: string; kind: string; title: string; say: string; aspects: string[];
+  rows: [role: string, status: string, left: string, right: string, variables: string[]][];
+  left: DiffPiece | null; right: DiffPiece | null;
+  near?: { id: string; key: string; title: string; right_is: string };
+}
+interface DiffSide { name: string; title: string; provenance: string; warning: string; at: string; whole: boolean; end: Time }
+interface Difference {
+  left: DiffSide; right: DiffSide; items: DiffItem[]; same: DiffItem[];
+  runs: { settings: [string, string | null, string | null][]; files: { name: string; left: boolean; right: boolean; lines: [string, number, string][]; hidden: number }[];
+    drives: [string, [number, string], [number, string]][]; parting: { common: number; left: any; right: any } | null };
+}
