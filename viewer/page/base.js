@@ -46,9 +46,18 @@ function lastAt(list, t, at) {
 
 // Text that does not fit is cut at its end; a last number stays, since it tells names apart ("grab_1", "grab_2").
 const ruler = document.createElement("canvas").getContext("2d");
+const widths = new Map();   // "pixels text" -> width: the same few texts are asked for again and again
+let rulerFont = "";
 function widthOf(text, pixels) {
-  ruler.font = pixels + "px " + getComputedStyle(document.body).fontFamily;
-  return ruler.measureText(text).width;
+  const key = pixels + " " + text;
+  const known = widths.get(key);
+  if (known !== undefined) return known;
+  if (!rulerFont) rulerFont = getComputedStyle(document.body).fontFamily;
+  ruler.font = pixels + "px " + rulerFont;
+  const { width } = ruler.measureText(text);
+  if (widths.size > 20000) widths.clear();
+  widths.set(key, width);
+  return width;
 }
 function fitted(text, room, pixels) {
   if (widthOf(text, pixels) <= room) return text;
