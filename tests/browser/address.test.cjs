@@ -2,7 +2,8 @@
 "use strict";
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
-const { firstAnalogy, time, useBrowser } = require("./lib/browser.cjs");
+const { demo } = require("./lib/reports.cjs");
+const { firstAnalogy, inHash, settled, time, useBrowser } = require("./lib/browser.cjs");
 
 const open = useBrowser();
 
@@ -22,4 +23,72 @@ test("the address restores moment, selection and theme", async () => {
   assert.match(await page.locator("#inspector .kind").textContent(), new RegExp(id));
   assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
   await close();
+});
+
+const eventCount = (page) => page.locator(".events-head [aria-live]").textContent().then((text) => Number(text.split(" ")[0]));
+
+test("what the list of events is filtered by stands in the address, and back and forward go through it", async () => {
+  const { page, close } = await open(demo, { hash: "#view=events&t=7" });
+  const kinds = page.locator(".events-head .kinds summary");
+  const all = await eventCount(page);
+  await page.getByRole("button", { name: "In the head, too" }).click();
+  const real = await eventCount(page);
+  await settled(page);
+  await kinds.click();
+  await page.getByRole("button", { name: "Only goal reached" }).click();
+  assert.equal(await eventCount(page), 5);
+  await settled(page);
+  assert.equal(await inHash(page, "kinds"), "GoalAchieved");
+  assert.equal(await inHash(page, "head"), "no");
+  const address = page.url().split("#")[1];
+  await page.goBack();
+  await page.waitForFunction((n) => document.querySelector(".events-head [aria-live]").textContent.startsWith(n + " of"), real);
+  await page.goBack();
+  await page.waitForFunction((n) => document.querySelector(".events-head [aria-live]").textContent.startsWith(n + " of"), all);
+  assert.equal(await page.getByRole("button", { name: "In the head, too" }).getAttribute("aria-pressed"), "true");
+  await page.goForward();
+  await page.goForward();
+  await page.waitForFunction(() => document.querySelector(".events-head [aria-live]").textContent.startsWith("5 of"));
+  await close();
+  // The same address somewhere else.
+  const again = await open(demo, { hash: "#" + address });
+  assert.equal(await eventCount(again.page), 5);
+  await again.page.locator(".events-head .kinds summary").click();
+  assert.equal(await again.page.locator(".events-head .kind-list input:checked").count(), 1);
+  await again.close();
+});
+
+test("words that events are searched for are restored, kinds that no run has are forgotten", async () => {
+  const { page, noise, close } = await open(demo, { hash: "#view=events&t=7&words=the%20agent%20commands&kinds=-Unheard.CauseConsidered&head=perhaps" });
+  await page.waitForFunction(() => /^8 of \d+$/.test(document.querySelector(".events-head [aria-live]").textContent));
+  assert.equal(await page.locator(".events-head input[type=search]").inputValue(), "the agent commands");
+  await settled(page);
+  assert.equal(await inHash(page, "kinds"), "-CauseConsidered");
+  assert.equal(await inHash(page, "head"), null);
+  assert.deepEqual(noise, []);
+  await close();
+});
+
+test("what the graph shows stands in the address and in the copied link", async () => {
+  const { page, close } = await open(demo, { hash: "#t=15&view=knowledge", permissions: ["clipboard-read", "clipboard-write"] });
+  await page.locator("#graph-tools summary").click();
+  const menu = page.locator("#graph-tools .kind-list");
+  await menu.getByLabel("made by analogy").uncheck();
+  await menu.getByLabel("sure at least").selectOption("0.9");
+  await settled(page);
+  assert.equal(await inHash(page, "show"), "analogy:0,sure:0.9");
+  const hidden = await page.locator("#graph-hidden").textContent();
+  assert.match(hidden, /^\d+ hidden$/);
+  await page.locator("#title").click();
+  await page.locator("#copy").click();
+  await page.waitForFunction(() => document.getElementById("said").textContent !== "");
+  const link = await page.evaluate(() => (document.getElementById("said").textContent === "Link copied" ? navigator.clipboard.readText() : location.href));
+  await page.goBack();
+  await page.waitForFunction((text) => document.getElementById("graph-hidden").textContent !== text, hidden);
+  await close();
+  const again = await open(demo, { hash: "#" + link.split("#")[1] });
+  assert.equal(await again.page.locator("#graph-hidden").textContent(), hidden);
+  await again.page.locator("#graph-tools summary").click();
+  assert.equal(await again.page.locator("#graph-tools .kind-list").getByLabel("made by analogy").isChecked(), false);
+  await again.close();
 });

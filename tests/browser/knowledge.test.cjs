@@ -23,7 +23,7 @@ test("no card moves while time does, and what is not known yet says when it will
 test("a clicked model shows what it says, how sure it is and what it is bound to now", async () => {
   const { page, noise, close } = await open("full", { hash: "#t=8" });
   const id = await firstAnalogy(page);
-  await page.locator(`.graph .item[data-subject="${id}"]`).first().click();
+  await page.locator(`.graph .item[data-id="${id}"]`).first().click();
   await settled(page);
   assert.equal(await selected(page), id);
   const inspector = page.locator("#inspector");
@@ -48,11 +48,47 @@ test("a clicked thing tells what is known of it", async () => {
 test("why leads back to a seen fact and moves the clock to its frame", async () => {
   const { page, close } = await open("full", { hash: "#t=8" });
   const id = await firstAnalogy(page);
-  await page.locator(`.graph .item[data-subject="${id}"]`).first().click();
+  await page.locator(`.graph .item[data-id="${id}"]`).first().click();
   const seen = page.locator("#inspector .tree button", { hasText: "Seen:" }).first();
   const at = await seen.locator("time").textContent();
   assert.ok(await seen.locator(".thumb img").count(), "a cause shows the frame it was seen in");
   await seen.click();
   assert.equal(Number.parseFloat(await time(page)), Number.parseFloat(at));
+  await close();
+});
+
+test("a composite state is selected by itself, and leads to what is said where it holds", async () => {
+  const { page, close } = await open("full", { hash: "#t=8&view=knowledge" });
+  const model = await firstAnalogy(page);
+  const state = await page.locator(`.graph .item[data-subject="${model}"]`).first().getAttribute("data-id");
+  assert.match(state, /^cst_\d+$/);
+  await page.locator(`.graph .item[data-id="${state}"]`).first().click();
+  await settled(page);
+  assert.equal(await selected(page), state);
+  const inspector = page.locator("#inspector");
+  assert.match(await inspector.locator(".kind").textContent(), new RegExp(`${state}, composite state, made by analogy`));
+  assert.match(await inspector.textContent(), /When did it hold\?/);
+  assert.ok(await inspector.locator(".tree button", { hasText: `${state} holds: ` }).count() > 0, "the moments at which it held");
+  assert.match(await inspector.textContent(), /Generalised from/);
+  // To its requirement model and back.
+  await inspector.locator(".tree button", { hasText: model }).first().click();
+  await settled(page);
+  assert.equal(await selected(page), model);
+  await inspector.locator(".definition .lhs button", { hasText: state }).click();
+  await settled(page);
+  assert.equal(await selected(page), state);
+  // And it is found by its id.
+  await page.keyboard.press("/");
+  await page.keyboard.type(state);
+  assert.match(await page.locator("#results button").first().textContent(), new RegExp(`${state}$`));
+  await close();
+});
+
+test("knowledge that is called the same is told apart by its id", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#view=knowledge" });
+  const names = await page.locator(".lane-labels button").allTextContents();
+  const curves = names.filter((name) => name.startsWith("Sure: "));
+  assert.ok(curves.length > 1);
+  assert.equal(new Set(curves).size, curves.length, curves.join("; "));
   await close();
 });

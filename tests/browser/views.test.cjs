@@ -107,7 +107,7 @@ test("events are filtered by words, kind and thing, and those in the head can be
   await page.waitForFunction((n) => document.querySelector(".events-head [aria-live]").textContent.startsWith(n + " of"), real);
   await page.locator(".events-head .kinds summary").click();
   await page.locator(".events-head .kind-list").getByRole("button", { name: "none" }).click();
-  await page.locator(".events-head .kind-list label", { hasText: "Goal achieved" }).locator("input").check();
+  await page.locator(".events-head .kind-list label", { hasText: "Goal reached" }).locator("input").check();
   assert.equal(await number(), 5);
   await close();
 });
@@ -229,5 +229,22 @@ test("the lanes can be stretched and shrunk around the cursor", async () => {
   assert.ok(cursor.x > pane.x && cursor.x < pane.x + pane.width, "the cursor stays in sight");
   await page.getByRole("button", { name: "Shorter time scale" }).click();
   assert.ok(Math.abs(await width() - usual) < 2);
+  await close();
+});
+
+test("a row that says what became of a model selects that event, and the model is one click away", async () => {
+  const { page, close } = await open(failure);
+  const row = page.locator("#overview .tree button", { hasText: "is given up" }).first();
+  const model = /mdl_\d+/.exec(await row.textContent())[0];
+  const event = await row.getAttribute("data-event");
+  await row.click();
+  await settled(page);
+  assert.equal(await inHash(page, "sel"), "#" + event);
+  const inspector = page.locator("#inspector");
+  assert.match(await inspector.locator(".top").textContent(), /Model retired or restored/);
+  assert.match(await inspector.textContent(), /Why did it happen\?/);
+  await inspector.locator(".tree button", { hasText: model }).first().click();
+  await settled(page);
+  assert.equal(await inHash(page, "sel"), model);
   await close();
 });

@@ -50,7 +50,7 @@ class App {
       parent: parent[number] };
   }
   subject(id) {
-    const number = this.numbers.get(this.report.aliases[id] || id);
+    const number = this.numbers.get(id);
     if (number !== undefined) return this.subjectByNumber(number);
     const event = /^#(\d+)$/.exec(id);
     if (!event || !(Number(event[1]) >= 1 && Number(event[1]) <= this.log.count)) return null;
@@ -91,11 +91,27 @@ class App {
     for (const pane of this.panes) if (pane.showSelection) pane.showSelection(subject);
     this.go(this.t);
   }
-  // Selects what an event is about and goes to its moment; where it is about nothing else, the event itself.
+  // Selects an event and goes to its moment; where it made or decided what it is about, that, whose "why" is the same.
   open(event) {
     const [first] = this.log.subjectsOf(event);
+    const { id, event: made, decided } = this.report.subjects;
+    const same = first !== undefined && !this.log.imagined(event) && (made[first] === event || decided[first] === event);
     this.go(this.log.time(event));
-    return this.select(first === undefined || this.log.imagined(event) ? "#" + event : this.report.subjects.id[first]);
+    return this.select(same ? id[first] : "#" + event);
+  }
+  // Whether other knowledge is called the same, so that only its id tells it apart.
+  isCalledLikeAnother(number) {
+    if (!this.calledSo) {
+      const { title, kind } = this.report.subjects;
+      this.calledSo = new Map();
+      title.forEach((text, i) => { if (["requirement", "model", "state"].includes(kind[i])) this.calledSo.set(text, (this.calledSo.get(text) || 0) + 1); });
+    }
+    return (this.calledSo.get(this.report.subjects.title[number]) || 0) > 1;
+  }
+  // The title, with the id where the title alone would not do.
+  titleOf(number) {
+    const { id, title } = this.report.subjects;
+    return title[number] + (this.isCalledLikeAnother(number) ? ", " + id[number] : "");
   }
   // What the variables of the selection stand for now.
   bindings(subject, t) {
@@ -142,13 +158,16 @@ class App {
     for (const [name, value] of this.more) if (value) state.set(name, value);
     return "#" + state;
   }
-  // A pane's own part of the address.
+  // A pane's own part of the address; gone back from like a selection, unless it changes letter by letter.
   keep(name, value) { this.more.set(name, value); this.save(); }
-  // Browsers take no more than a few changes of address a second. A new selection or view can be gone back from.
+  place() {
+    return [this.selected, this.view, ...[...this.more].sort().map(([name, value]) => name + "=" + (name === "words" ? Boolean(value) : value))].join(" ");
+  }
+  // Browsers take no more than a few changes of address a second. A new selection, view or filter can be gone back from.
   save() {
     clearTimeout(this.saving);
     this.saving = setTimeout(() => {
-      const place = this.selected + " " + this.view;
+      const place = this.place();
       const address = this.address();
       // Somebody else changed the address: what it asks for comes next, and is not written over.
       if (address === location.hash || location.hash !== this.known) return;
@@ -167,12 +186,12 @@ class App {
     const chosen = this.subject(wanted) ? wanted : this.selected || this.firstChoice();
     if (Number.isFinite(seconds)) this.t = clamp(seconds * 1e6, this.report.clock.start, this.report.clock.end);
     else if (!this.selected) this.t = this.firstMoment(this.subject(chosen));
-    this.saved = chosen + " " + (state.get("view") || "");
+    this.saved = "";
     for (const pane of this.panes) if (pane.restore) pane.restore(state);
     // An address from elsewhere that says what or when, but not where, means what was known then.
     this.setView(state.get("view") || (wanted || Number.isFinite(seconds) ? "knowledge" : this.view || "overview"));
-    await this.select(chosen);
-    this.saved = this.selected + " " + this.view;
+    if (chosen !== this.selected || !this.chosen) await this.select(chosen);
+    this.saved = this.place();
     this.go(this.t);
   }
   // Where nobody chose: the first thing made by analogy, else the first learned, else anything.

@@ -7,6 +7,7 @@
 
 #include "engine/base/text.h"
 #include "engine/query/describe.h"
+#include "engine/query/kind_titles.h"
 #include "viewer/page/report_context.h"
 #include "viewer/page/shortened.h"
 
@@ -18,14 +19,10 @@ using nlohmann::json;
 constexpr std::size_t kLongestValue = 2000;  // code points
 constexpr std::size_t kLongestList = 24;     // items
 
-// "prediction_failure" and "PredictionMade" as words.
+// "prediction_failure" as words.
 std::string Words(std::string_view name) {
-  std::string words;
-  for (const char c : name) {
-    const bool capital = c >= 'A' && c <= 'Z';
-    if (capital && !words.empty()) words += ' ';
-    words += c == '_' ? ' ' : capital && !words.empty() ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
   return words;
 }
 
@@ -160,7 +157,7 @@ json DescribeKinds() {
       fields.push_back({Words(field.name), std::string(field.meaning)});
     });
     kinds.push_back({{"name", std::string(Body::kName)},
-                     {"title", Words(Body::kName)},
+                     {"title", std::string(KindTitle(Body::kName))},
                      {"meaning", std::string(Body::kMeaning)},
                      {"fields", fields}});
   });

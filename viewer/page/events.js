@@ -18,19 +18,39 @@ function eventsPane(app) {
   const counts = new Array(log.kinds.length).fill(0);
   for (let i = 0; i < log.count; ++i) ++counts[log.kindOf[i]];
   // The states of the world are for the film; there are many, and they say nothing.
-  const off = new Set([log.kindNumber("WorldStateRecorded")]);
+  const usuallyOff = log.kindNumber("WorldStateRecorded");
+  const off = new Set([usuallyOff]);
   const boxes = log.kinds.map((kind, number) => {
     const input = el("input", { type: "checkbox", checked: !off.has(number) });
-    input.addEventListener("change", () => { if (input.checked) off.delete(number); else off.add(number); refresh(); });
+    input.addEventListener("change", () => { if (input.checked) off.delete(number); else off.add(number); keepKinds(); refresh(); });
     const alone = el("button", { type: "button", class: "link", text: "only", "aria-label": "Only " + kind.title.toLowerCase(),
       on: { click: () => { only((one) => one === number); kinds.open = false; } } });
     return { number, input, row: counts[number] ? el("div", { class: "kind-row" },
       el("label", { title: kind.meaning }, input, " " + kind.title, el("span", { class: "quiet", text: " " + counts[number] })), alone) : "" };
   });
   const only = (some) => {
-    for (const { number, input } of boxes) { input.checked = some(number); if (input.checked) off.delete(number); else off.add(number); }
+    for (const { number } of boxes) if (some(number)) off.delete(number); else off.add(number);
+    showKinds();
+    keepKinds();
     refresh();
   };
+  const showKinds = () => { for (const { number, input } of boxes) input.checked = !off.has(number); };
+  // In the address the kinds that are shown, or with a minus those that are not, by their names; whichever are fewer.
+  function keepKinds() {
+    const name = (number) => log.kinds[number].name;
+    const on = log.kinds.map((_, number) => number).filter((number) => !off.has(number));
+    const usual = off.size === 1 && off.has(usuallyOff);
+    app.keep("kinds", usual ? "" : !off.size ? "all" : !on.length ? "none" : off.size < on.length ? "-" + [...off].sort((a, b) => a - b).map(name).join(".") : on.map(name).join("."));
+  }
+  function restoreKinds(text) {
+    const named = new Set(text.replace(/^-/, "").split("."));
+    off.clear();
+    log.kinds.forEach(({ name }, number) => {
+      const hidden = !text ? number === usuallyOff : text === "none" || (text !== "all" && named.has(name) === text.startsWith("-"));
+      if (hidden) off.add(number);
+    });
+    showKinds();
+  }
   const kinds = el("details", { class: "kinds" }, kindsButton, el("div", { class: "kind-list" },
     el("p", {}, el("button", { type: "button", class: "link", text: "all", on: { click: () => only(() => true) } }), " ",
       el("button", { type: "button", class: "link", text: "none", on: { click: () => only(() => false) } })), ...boxes.map((one) => one.row)));
@@ -52,10 +72,10 @@ function eventsPane(app) {
     return row;
   });
 
-  inHead.addEventListener("click", () => { imagined = !imagined; inHead.setAttribute("aria-pressed", String(imagined)); refresh(); });
+  inHead.addEventListener("click", () => { imagined = !imagined; inHead.setAttribute("aria-pressed", String(imagined)); app.keep("head", imagined ? "" : "no"); refresh(); });
   aboutChip.addEventListener("click", () => { about = null; app.keep("about", ""); refresh(); });
   let typing = 0;
-  find.addEventListener("input", () => { clearTimeout(typing); typing = setTimeout(() => { words = find.value.trim().toLowerCase(); refresh(); }, 120); });
+  find.addEventListener("input", () => { clearTimeout(typing); typing = setTimeout(() => { words = find.value.trim().toLowerCase(); app.keep("words", words); refresh(); }, 120); });
   find.addEventListener("keydown", (event) => { if (event.key === "Enter") { event.preventDefault(); goOn(event.shiftKey ? -1 : 1); } });
 
   // The events that the filters leave. Words are looked for chunk by chunk, so that the page stays alive, and what is
@@ -130,11 +150,18 @@ function eventsPane(app) {
 
   let fresh = false;
   const pane = {
-    find(text) { find.value = text; words = text.toLowerCase(); app.setView("events"); refresh(); },
+    find(text) { find.value = text; words = text.toLowerCase(); app.keep("words", words); app.setView("events"); refresh(); },
     restore(state) {
       const subject = app.subject(state.get("about") || "");
       about = subject && subject.number >= 0 ? subject : null;
-      app.more.set("about", about ? about.id : "");
+      words = (state.get("words") || "").toLowerCase();
+      find.value = words;
+      imagined = state.get("head") !== "no";
+      inHead.setAttribute("aria-pressed", String(imagined));
+      restoreKinds(state.get("kinds") || "");
+      // What the address names and this run does not know is not kept.
+      for (const [name, value] of [["about", about ? about.id : ""], ["words", words], ["head", imagined ? "" : "no"]]) app.more.set(name, value);
+      keepKinds();
       fresh = false;
       if (app.view === "events") pane.showView("events");
     },

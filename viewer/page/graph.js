@@ -27,7 +27,24 @@ function graphPane(app) {
   const formOf = (i) => (isOpen(i) ? graph.bands[i].open : graph.bands[i].folded);
 
   // ---- what is shown: by origin, state, confidence, use, and how far from the selection
-  const show = { given: true, learned: true, analogy: true, vetoes: true, retired: true, later: true, sure: 0, tried: false, around: 0 };
+  const USUAL = { given: true, learned: true, analogy: true, vetoes: true, retired: true, later: true, sure: 0, tried: false, around: 0 };
+  const show = { ...USUAL };
+  const controls = new Map();   // name of a choice -> its control
+  // In the address: what differs from what is usual: "given:0,sure:0.75".
+  const keepShow = () => app.keep("show", Object.keys(USUAL).filter((name) => show[name] !== USUAL[name]).map((name) => name + ":" + Number(show[name])).join(","));
+  function restoreShow(text) {
+    Object.assign(show, USUAL);
+    for (const part of text.split(",")) {
+      const [name, value] = part.split(":");
+      const control = controls.get(name);
+      const number = Number.parseFloat(value);
+      if (!control || !Number.isFinite(number)) continue;
+      if (typeof USUAL[name] === "boolean") show[name] = number !== 0;
+      else if ([...control.options].some((option) => Number(option.value) === number)) show[name] = number;
+    }
+    for (const [name, control] of controls) if (typeof USUAL[name] === "boolean") control.checked = show[name]; else control.value = String(show[name]);
+    keepShow();
+  }
   let near = null;            // ids within the chosen distance of the selection
   const numberOf = (card) => app.numbers.get(card.subject);
   function passes(card) {
@@ -82,8 +99,9 @@ function graphPane(app) {
         if (states.has(card.id)) link(states.get(card.id), card.subject); else states.set(card.id, card.subject);
       }
     }
-    const reached = new Set([id]);
-    let edge = [id];
+    // A composite state stands in the graph with its requirement model.
+    const reached = new Set([id, ...graph.bands.flatMap((band) => band.cards.filter((card) => card.id === id).map((card) => card.subject))]);
+    let edge = [...reached];
     for (let i = 0; i < depth; ++i) {
       edge = edge.flatMap((one) => [...(links.get(one) || [])]).filter((one) => !reached.has(one) && reached.add(one));
     }
@@ -241,12 +259,14 @@ function graphPane(app) {
     const button = (text, title, action) => el("button", { type: "button", class: "tool", title, "aria-label": title, text, on: { click: action } });
     const check = (name, text) => {
       const input = el("input", { type: "checkbox", checked: show[name] });
-      input.addEventListener("change", () => { show[name] = input.checked; draw(); });
+      controls.set(name, input);
+      input.addEventListener("change", () => { show[name] = input.checked; keepShow(); draw(); });
       return el("label", {}, input, " " + text);
     };
     const choice = (label, name, options) => {
       const select = el("select", { "aria-label": label }, ...options.map(([value, text]) => el("option", { value: String(value), text })));
-      select.addEventListener("change", () => { show[name] = Number(select.value); draw(); pane.showTime(app.t); });
+      controls.set(name, select);
+      select.addEventListener("change", () => { show[name] = Number(select.value); keepShow(); draw(); pane.showTime(app.t); });
       return el("label", {}, label + " ", select);
     };
     const menu = el("details", { class: "kinds" }, el("summary", {}, "Show"), el("div", { class: "kind-list" },
@@ -296,11 +316,12 @@ function graphPane(app) {
     const placeholder = svg("g", { class: "placeholder" },
       ring ? "" : svg("rect", { class: "slot", x: x + 0.5, y: y + 0.5, width: w - 1, height: h - 1, rx: 6 }),
       ring ? "" : svg("text", { class: "note", x: x + 12, y: y + h / 2 + 4, text: note }));
-    const group = svg("g", { class: "item" + (more ? " " + more : ""), tabindex: ring ? "-1" : "0", role: "button" },
+    const group = svg("g", { class: "item" + (more ? " " + more : ""), tabindex: "0", role: "button" },
       svg("title", { text: labelOf(card) }), svg("g", { class: "body" }, body), placeholder);
     group.dataset.subject = card.subject;
     group.dataset.id = card.id;
-    const choose = () => { if (card.subject) app.select(card.subject); };
+    // A card of a composite state is that, beside the ring of its requirement model.
+    const choose = () => { const id = card.kind === "state" || card.kind === "again" ? card.id : card.subject; if (id) app.select(id); };
     group.addEventListener("click", choose);
     group.addEventListener("keydown", (event) => {
       if (event.key === "Enter") { event.preventDefault(); choose(); refocus(card); }
@@ -535,11 +556,15 @@ function graphPane(app) {
 
   tools();
   const pane = {
+    restore(state) {
+      restoreShow(state.get("show") || "");
+      if (app.view === "knowledge") draw();
+    },
     showSelection(subject) {
       chosen = subject;
       const related = [subject.id, ...(subject.detail.requirements || []), subject.detail.model || ""];
       // Of a prediction or goal: the group of the model behind it.
-      const band = related.map((id) => bandOfId.get(app.report.aliases[id] || id)).find((one) => one !== undefined);
+      const band = related.map((id) => bandOfId.get(id)).find((one) => one !== undefined);
       if (band !== undefined && band !== opened) { opened = band; folded.delete(band); draw(); } else if (show.around) draw();
       showSelected();
       for (const part of parts) part(app.t);

@@ -79,9 +79,9 @@ function inspectorPane(app) {
     if (!subject.detail.fields) return null;
     const rows = subject.detail.fields.map((field) => el("tr", { title: field.meaning }, el("td", { class: "quiet", text: field.name }),
       el("td", {}, field.go && app.subject(field.go) ? el("button", { type: "button", class: "link", text: field.text, on: { click: () => app.select(field.go) } }) : field.text)));
-    const about = [...app.log.subjectsOf(subject.event)].slice(0, 12).map((number) => app.subjectByNumber(number));
-    return block(el("p", { class: "quiet", text: subject.detail.meaning }), rows.length ? el("table", { class: "fields" }, el("tbody", {}, ...rows)) : "",
-      about.length ? heading("What is it about?") : "", subjectList(about));
+    const about = [...app.log.subjectsOf(subject.event)].slice(0, 8).map((number) => app.subjectByNumber(number));
+    return block(el("p", { class: "quiet", text: subject.detail.meaning }), about.length ? heading("What is it about?") : "", subjectList(about),
+      rows.length ? heading("What is written of it?") : "", rows.length ? el("table", { class: "fields" }, el("tbody", {}, ...rows)) : "");
   }
   // Subjects as rows that can be chosen.
   function subjectList(subjects) {
@@ -199,7 +199,7 @@ function inspectorPane(app) {
   function requirements(subject) {
     const ids = subject.detail.requirements;
     if (!ids || !ids.length) return null;
-    return block(heading(subject.kind === "prediction" ? "What said so?" : "When does it work?"), subjectList(ids.slice(0, 40).map((id) => app.subject(id)).filter((one) => one)),
+    return block(heading({ prediction: "What said so?", state: "What is said where it holds?" }[subject.kind] || "When does it work?"), subjectList(ids.slice(0, 40).map((id) => app.subject(id)).filter((one) => one)),
       ids.length > 40 ? el("p", { class: "verdict quiet", text: `and ${ids.length - 40} more` }) : "");
   }
   // Where it comes from and where it belongs: the knowledge generalised, the goal served, sub-goals, commands.
@@ -300,9 +300,10 @@ function inspectorPane(app) {
     if (subject.number < 0) return null;
     const events = app.log.eventsOf(subject.number);
     if (!events.length) return null;
-    const told = [...events.subarray(0, 5000)].filter((event) => !app.log.imagined(event) && (app.log.worthALine(event) || app.log.kind(event).name === "EvidenceUpdated"));
+    const also = subject.kind === "state" ? "IcstFound" : "EvidenceUpdated";
+    const told = [...events.subarray(0, 5000)].filter((event) => !app.log.imagined(event) && (app.log.worthALine(event) || app.log.kind(event).name === also));
     const shown = told.slice(0, 14);
-    return block(heading(subject.kind === "thing" ? "What happened with it?" : "Its life", "", "part-life"),
+    return block(heading({ thing: "What happened with it?", state: "When did it hold?" }[subject.kind] || "Its life", "", "part-life"),
       el("div", { class: "tree" }, ...shown.map((event) => el("div", { class: "line" }, eventRow(app, event, { picture: false })))),
       el("button", { type: "button", class: "link all-events", text: events.length === 1 ? "The one event that speaks of it" : `All ${events.length} events that speak of it`,
         on: { click: () => { app.about(subject); app.setView("events"); } } }));

@@ -36,7 +36,8 @@ function lanesPane(app) {
     }
     return { bars, rows: Math.max(1, ends.length), longest: Math.max(0, ...chunked(bars, (bar) => bar.to - bar.from)) };
   }
-  const marksOf = (lane) => lane.from.map((at, i) => ({ at, short: lanes.texts[lane.text[i]], text: lanes.texts[lane.full[i]], subject: app.report.subjects.id[lane.subject[i]] }))
+  const withId = (text, number) => text + (app.isCalledLikeAnother(number) ? ", " + app.report.subjects.id[number] : "");
+  const marksOf = (lane) => lane.from.map((at, i) => ({ at, short: lanes.texts[lane.text[i]], text: withId(lanes.texts[lane.full[i]], lane.subject[i]), subject: app.report.subjects.id[lane.subject[i]] }))
     .sort((a, b) => a.at - b.at);
   /** @type {[string, { bars: any[], rows: number, longest: number }, string][]} */
   const LANES = [["Goals", barsOf(lanes.goals), "left"], ["Commands", barsOf(lanes.commands), ""], ["Predictions", barsOf(lanes.predictions), "right"]];
@@ -122,7 +123,7 @@ function lanesPane(app) {
       for (const number of curves) {
         const one = app.subjectByNumber(number);
         const own = number === selected;
-        const button = el("button", { type: "button", class: own ? "selected" : "", text: "Sure: " + one.title,
+        const button = el("button", { type: "button", class: own ? "selected" : "", text: "Sure: " + app.titleOf(number),
           title: "How sure: " + one.id + ", " + one.title, on: { click: () => app.select(one.id) } });
         button.dataset.subject = one.id;
         const node = label("", LANE.curve, { child: button });
@@ -277,7 +278,7 @@ function lanesPane(app) {
     const last = all[all.length - 1];
     if (!last.deleted && end === all.length) d += `H${X(clock.end)}`;
     const first = X(all[0].at);
-    return selectable(one.id, "How sure: " + one.title, "curve-item " + (selected ? "selected" : ""), null,
+    return selectable(one.id, "How sure: " + app.titleOf(one.number), "curve-item " + (selected ? "selected" : ""), null,
       svg("rect", { class: "focus", x: first - 36, y, width: Math.max(60, X(clock.end) - first + 70), height: LANE.curve, rx: 4 }),
       svg("path", { class: "curve", d }), ...dots,
       first > 44 ? svg("text", { x: first - 7, y: Y(all[0].sure) + 4, "text-anchor": "end", text: sureText(all[0].sure) }) : "",

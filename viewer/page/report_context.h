@@ -34,7 +34,8 @@ struct ReportContext {
   std::map<CompositeStateId, ModelId> requirement_on;  // the first requirement model on a composite state
   std::map<ModelId, std::vector<Use>> uses;            // of requirement and causal models, by time
 
-  // The id under which the inspector knows a composite state; empty if there is no such state.
+  // The id of the knowledge that a card of a composite state belongs to: its first requirement model, else
+  // itself; empty if there is no such state.
   std::string SubjectOf(CompositeStateId state) const;
   // Whether something that came about at this time was shown by a teacher: his command ran until then.
   bool TaughtAt(Time time) const;

@@ -47,8 +47,7 @@ class ReportAuthor {
             {"drives", Drives()},
             {"lanes", Lanes()},
             {"log", std::move(log)},
-            {"subjects", SubjectIndex(context_, subjects_)},
-            {"aliases", Aliases()}};
+            {"subjects", SubjectIndex(context_, subjects_)}};
   }
 
  private:
@@ -315,13 +314,6 @@ class ReportAuthor {
   }
 
   // Other ids under which the inspector's subjects are known: composite states by their requirement model.
-  json Aliases() const {
-    json aliases = json::object();
-    for (const auto& [state, requirement] : context_.requirement_on)
-      aliases[IdText(state)] = IdText(requirement);
-    return aliases;
-  }
-
   const ReportContext& context_;
   const SubjectTable& subjects_;
   const Run& run_;

@@ -16,7 +16,9 @@ function searchPane(app, story, graph, events) {
     if (words) texts.forEach((text, number) => { if (text.includes(words)) found.push(number); });
     // What begins with the words comes first.
     const rank = (number) => (ids[number].toLowerCase() === words ? 0 : ids[number].toLowerCase().startsWith(words) || titles[number].toLowerCase().startsWith(words) ? 1 : 2);
-    found.sort((a, b) => rank(a) - rank(b) || a - b);
+    const ranked = [[], [], []];
+    for (const number of found) ranked[rank(number)].push(number);
+    found = ranked.flat();
     graph.markFound(new Set(found.map((number) => ids[number])));
     results.hidden = !words;
     const rows = found.slice(0, 12).map((number, i) => {

@@ -58,9 +58,13 @@ class DetailAuthor {
     for (const AnalogyOfRun& analogy : context_.summary.analogies) {
       compared_for_[analogy.compared->goal].push_back(analogy.event);
       compared_with_[analogy.compared->requirement].push_back(analogy.event);
+      compared_state_[analogy.compared->source].push_back(analogy.event);
     }
-    for (const auto& [id, record] : knowledge_.models())
-      if (IsRequirement(record.model)) requirements_of_[TargetModel(record.model)].push_back(id);
+    for (const auto& [id, record] : knowledge_.models()) {
+      if (!IsRequirement(record.model)) continue;
+      requirements_of_[TargetModel(record.model)].push_back(id);
+      requirements_on_[RequiredState(record.model)].push_back(id);
+    }
   }
 
   json Write(const Subject& subject) const {
@@ -123,7 +127,10 @@ class DetailAuthor {
     const CompositeStateId state = RequiredState(model);
     json definition = json::array();
     if (state.valid()) {
-      definition.push_back({{"side", "lhs"}, {"label", IdText(state)}, {"lines", StateLines(state)}});
+      definition.push_back({{"side", "lhs"},
+                            {"label", IdText(state)},
+                            {"subject", IdText(state)},
+                            {"lines", StateLines(state)}});
     } else {
       const ModelLines lines = LinesOf(knowledge_, model);
       definition.push_back(
@@ -156,10 +163,18 @@ class DetailAuthor {
   }
 
   json StateDetail(const CompositeStateRecord& record) const {
-    return {
-        {"note", "composite state, " + MadeNote(record.origin, record.created)},
-        {"definition",
-         {{{"side", "lhs"}, {"label", IdText(record.state.id)}, {"lines", StateLines(record.state.id)}}}}};
+    const CompositeStateId id = record.state.id;
+    json data = {{"note", "composite state, " + MadeNote(record.origin, record.created)},
+                 {"definition", {{{"side", "lhs"}, {"label", IdText(id)}, {"lines", StateLines(id)}}}}};
+    if (record.derived_from.valid()) data["derived_from"] = IdText(record.derived_from);
+    if (const auto found = requirements_on_.find(id); found != requirements_on_.end())
+      data["requirements"] = SubjectIds(found->second);
+    if (const auto found = compared_state_.find(id); found != compared_state_.end()) {
+      json list = json::array();
+      for (const EventId event : found->second) list.push_back(event.value);
+      data["compared"] = list;
+    }
+    return data;
   }
 
   std::string MadeNote(Origin origin, Time created) const {
@@ -282,7 +297,9 @@ class DetailAuthor {
   const SubjectTable& subjects_;
   std::map<GoalId, std::vector<EventId>> compared_for_;
   std::map<ModelId, std::vector<EventId>> compared_with_;
+  std::map<CompositeStateId, std::vector<EventId>> compared_state_;  // as the source
   std::map<ModelId, std::vector<ModelId>> requirements_of_;
+  std::map<CompositeStateId, std::vector<ModelId>> requirements_on_;
 };
 
 }  // namespace

@@ -21,7 +21,11 @@ class Mentions {
       numbers.push_back(*number);
   }
   void See(ModelId id) { Add(table_.Find(id)); }
-  void See(CompositeStateId id) { Add(table_.Find(id)); }
+  // What speaks of a composite state speaks of the requirement model on it, too.
+  void See(CompositeStateId id) {
+    Add(table_.Find(id));
+    Add(table_.FindRequirementOn(id));
+  }
   void See(GoalId id) { Add(table_.Find(id)); }
   void See(PredictionId id) { Add(table_.Find(id)); }
   void See(const Model& model) {
@@ -29,7 +33,7 @@ class Mentions {
     See(TargetModel(model));
     See(RequiredState(model));
   }
-  void See(const CompositeState& state) { Add(table_.Find(state.id)); }
+  void See(const CompositeState& state) { See(state.id); }
   template <class Item>
   void See(const std::vector<Item>& list) {
     for (const Item& item : list) See(item);
@@ -80,11 +84,6 @@ void SubjectTable::AddKnowledge() {
                      0});
   }
   for (const auto& [id, record] : knowledge.composite_states()) {
-    const auto requirement = context_.requirement_on.find(id);
-    if (requirement != context_.requirement_on.end()) {
-      states_[id] = models_.at(requirement->second);
-      continue;
-    }
     states_[id] = list_.size();
     list_.push_back({SubjectKind::kState,
                      IdText(id),
@@ -157,8 +156,9 @@ void SubjectTable::AddThings() {
   }
 }
 
-std::optional<std::size_t> SubjectTable::Find(CompositeStateId id) const {
-  return FindIn(states_, id);
+std::optional<std::size_t> SubjectTable::FindRequirementOn(CompositeStateId state) const {
+  const auto found = context_.requirement_on.find(state);
+  return found == context_.requirement_on.end() ? std::nullopt : Find(found->second);
 }
 
 std::vector<std::size_t> SubjectTable::MentionedBy(const Event& event) const {
@@ -168,6 +168,10 @@ std::vector<std::size_t> SubjectTable::MentionedBy(const Event& event) const {
   std::visit(Overloaded{[&](const AnalogyCompared& e) {
                           mentions.See(e.result_requirement.valid() ? e.result_requirement : e.requirement);
                           mentions.See(e);
+                        },
+                        [&](const IcstFound& e) {
+                          if (IsIcst(e.fact.payload) && e.fact.payload[0].is(TermKind::kCompositeState))
+                            mentions.Add(Find(e.fact.payload[0].composite_state()));
                         },
                         [&](const auto& body) { mentions.See(body); }},
              event.body);

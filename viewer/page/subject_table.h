@@ -42,8 +42,9 @@ class SubjectTable {
   std::optional<std::size_t> Find(GoalId id) const { return FindIn(goals_, id); }
   std::optional<std::size_t> Find(PredictionId id) const { return FindIn(predictions_, id); }
   std::optional<std::size_t> Find(EventId command) const { return FindIn(command_events_, command); }
-  // A composite state with a requirement model is shown with that.
-  std::optional<std::size_t> Find(CompositeStateId id) const;
+  std::optional<std::size_t> Find(CompositeStateId id) const { return FindIn(states_, id); }
+  // The first requirement model on a composite state.
+  std::optional<std::size_t> FindRequirementOn(CompositeStateId state) const;
   std::optional<std::size_t> FindThing(const std::string& name) const { return FindIn(things_, name); }
 
   // The subjects that an event speaks of, what it is about first, no repeats.
