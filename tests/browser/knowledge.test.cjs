@@ -86,9 +86,15 @@ test("a composite state is selected by itself, and leads to what is said where i
 
 test("knowledge that is called the same is told apart by its id", async () => {
   const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#view=knowledge" });
-  const names = await page.locator(".lane-labels button").allTextContents();
-  const curves = names.filter((name) => name.startsWith("Sure: "));
+  const curves = await page.locator(".lane-labels button[data-subject]").allTextContents();
   assert.ok(curves.length > 1);
   assert.equal(new Set(curves).size, curves.length, curves.join("; "));
+  // In the overview by its conditions, too.
+  await page.locator("#tab-overview").click();
+  const rows = page.locator("#overview .pieces tr", { hasText: "Veto: release a sphere" });
+  assert.ok(await rows.count() > 1);
+  const conditions = await rows.locator(".apart").allTextContents();
+  assert.equal(conditions.length, await rows.count());
+  assert.ok(conditions.some((text) => /^if .*H holding \[\], S sphere at P/.test(text)), conditions.join("; "));
   await close();
 });

@@ -108,6 +108,14 @@ class App {
     }
     return (this.calledSo.get(this.report.subjects.title[number]) || 0) > 1;
   }
+  // The conditions of a requirement model, line by line, as the graph has them.
+  conditionsOf(id) {
+    if (!this.conditions) {
+      this.conditions = new Map();
+      for (const band of this.report.graph.bands) for (const card of band.cards) if (card.lines && !this.conditions.has(card.subject)) this.conditions.set(card.subject, card.lines.filter((line) => !line.cut).map((line) => line.text));
+    }
+    return this.conditions.get(id) || [];
+  }
   // The title, with the id where the title alone would not do.
   titleOf(number) {
     const { id, title } = this.report.subjects;

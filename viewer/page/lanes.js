@@ -119,11 +119,13 @@ function lanesPane(app) {
       y += 4;
       const line = y;
       still.push(() => [svg("line", { class: "grid", x1: 0, x2: width, y1: line + 0.5, y2: line + 0.5 })]);
-      y += 4;
+      y += 2;
+      label("How sure", 18, { class: "quiet" });
+      y += 18;
       for (const number of curves) {
         const one = app.subjectByNumber(number);
         const own = number === selected;
-        const button = el("button", { type: "button", class: own ? "selected" : "", text: "Sure: " + app.titleOf(number),
+        const button = el("button", { type: "button", class: own ? "selected" : "", text: app.isCalledLikeAnother(number) ? one.id + " " + one.title : one.title,
           title: "How sure: " + one.id + ", " + one.title, on: { click: () => app.select(one.id) } });
         button.dataset.subject = one.id;
         const node = label("", LANE.curve, { child: button });

@@ -31,7 +31,9 @@ function overviewPane(app) {
     const tried = log.sure.start[number + 1] - log.sure.start[number] - 1;
     const sure = !last ? "" : last.deleted ? "given up at " + secondsText(last.at) : last.phasedOut ? "phased out" : sureText(last.sure);
     return el("tr", { class: last && last.deleted ? "gone" : "" },
-      el("td", {}, el("button", { type: "button", class: "link plain", on: { click: () => { app.select(subject.id); app.go(subject.born); } } }, mark(subject.mark), capitalised(subject.title), " ", el("span", { class: "id", text: subject.id }))),
+      el("td", {}, el("button", { type: "button", class: "link plain", on: { click: () => { app.select(subject.id); app.go(subject.born); } } }, mark(subject.mark), capitalised(subject.title), " ", el("span", { class: "id", text: subject.id })),
+        // What tells it from others that are called the same.
+        app.isCalledLikeAnother(number) ? el("span", { class: "quiet apart", text: "if " + app.conditionsOf(subject.id).join(", ") }) : ""),
       el("td", { text: secondsText(subject.born) }), el("td", { text: tried > 0 ? String(tried) : "" }), el("td", {}, el("b", { text: sure })));
   }
 
