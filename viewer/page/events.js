@@ -148,10 +148,12 @@ function eventsPane(app) {
   }
   app.about = (subject) => { about = subject; app.keep("about", subject.id); refresh(); };
 
+  const filters = () => JSON.stringify([about && about.id, words, imagined, [...off].sort()]);
   let fresh = false;
   const pane = {
     find(text) { find.value = text; words = text.toLowerCase(); app.keep("words", words); app.setView("events"); refresh(); },
     restore(state) {
+      const before = filters();
       const subject = app.subject(state.get("about") || "");
       about = subject && subject.number >= 0 ? subject : null;
       words = (state.get("words") || "").toLowerCase();
@@ -162,6 +164,7 @@ function eventsPane(app) {
       // What the address names and this run does not know is not kept.
       for (const [name, value] of [["about", about ? about.id : ""], ["words", words], ["head", imagined ? "" : "no"]]) app.more.set(name, value);
       keepKinds();
+      if (filters() === before) return;
       fresh = false;
       if (app.view === "events") pane.showView("events");
     },

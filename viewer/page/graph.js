@@ -558,8 +558,9 @@ function graphPane(app) {
   tools();
   const pane = {
     restore(state) {
+      const before = JSON.stringify(show);
       restoreShow(state.get("show") || "");
-      if (app.view === "knowledge") draw();
+      if (app.view === "knowledge" && JSON.stringify(show) !== before) draw();
     },
     showSelection(subject) {
       chosen = subject;

@@ -13,6 +13,7 @@ function storyPane(app) {
   let shown = [];      // events of the story that the filter leaves
   let first = 0;       // position in `shown` of the first row in the page
   let rows = [];
+  let scrolling = false;
 
   const told = [];
   for (let event = 1; event <= log.count; ++event) if (log.chapter(event)) told.push(event);
@@ -96,7 +97,9 @@ function storyPane(app) {
       const position = positionAt(app.frames[app.frame]);
       if (shown.length > STORY_WINDOW && (position < first || position >= first + rows.length)) drawAround(position);
       const current = showNow();
-      if (current) list.scrollTop = current.offsetTop - 4;
+      // Where it stands is asked once a frame, after everything has changed: the answer makes the browser lay out the page.
+      if (current && !scrolling) requestAnimationFrame(() => { scrolling = false; const row = list.querySelector("li.on"); if (row) list.scrollTop = row.offsetTop - 4; });
+      scrolling = scrolling || Boolean(current);
     },
   };
   // The first row of the story at or after t.
