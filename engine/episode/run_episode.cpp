@@ -27,6 +27,7 @@ std::vector<Parameter> ParametersOf(const ReasonerParameters& p, const EventKind
           {"secondary_thz", ToText(p.secondary_thz)},
           {"tpx_time_horizon_frames", std::to_string(p.tpx_time_horizon_frames)},
           {"goal_induction", std::string(ToText(p.goal_induction))},
+          {"value_roles", std::string(ToText(p.value_roles))},
           {"max_prediction_chain", std::to_string(p.max_prediction_chain)},
           {"max_plan_depth", std::to_string(p.max_plan_depth)},
           {"max_simulation_nodes", std::to_string(p.max_simulation_nodes)},

@@ -149,6 +149,9 @@ class ScenarioReader {
     p.goal_induction = table.Choice("goal_induction", {"all", "side_effects"}, openaera ? 1 : 0) == 1u
                            ? GoalInduction::kSideEffects
                            : GoalInduction::kAll;
+    p.value_roles = table.Choice("value_roles", {"apart", "together"}, openaera ? 1 : 0) == 1u
+                        ? ValueRoles::kTogether
+                        : ValueRoles::kApart;
     p.analogy_min_matched =
         static_cast<int>(table.Integer("analogy_min_matched", p.analogy_min_matched, 1, 1000));
     p.analogy_min_psi = table.Number("analogy_min_psi", p.analogy_min_psi, 0, 1);

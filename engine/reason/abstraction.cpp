@@ -44,7 +44,7 @@ Term Abstraction::Fresh(const Term& value, const std::string& name) {
 
 const Term* Abstraction::Find(const Term& value, const std::string& role) const {
   for (const Entry& entry : entries_) {
-    if (SameValue(entry.value, value) && (entry.role == role || value.is(TermKind::kEntity)))
+    if (SameValue(entry.value, value) && (entry.role == role || !HasRole(value, roles_)))
       return &entry.variable;
   }
   return nullptr;

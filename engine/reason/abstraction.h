@@ -12,10 +12,12 @@ namespace aerascope {
 
 class Abstraction {
  public:
+  explicit Abstraction(ValueRoles roles) : roles_(roles) {}
+
   // The variable for an entity; entities have no role: one individual, one variable.
   Term Entity(const Term& entity);
   // The variable for a number, a vector of numbers or an instant; equal values share one only in the same
-  // role.
+  // role. Where roles are not kept apart, equal numbers and vectors always share one.
   Term Value(const Term& value, const std::string& role, const std::string& name);
   // A variable of its own, remembered as standing for `value`.
   Term Fresh(const Term& value, const std::string& name);
@@ -25,7 +27,7 @@ class Abstraction {
   // A ground payload with each value abstracted in the role it has there.
   Term Payload(const Term& payload, const KnownDefinitions& knowledge);
 
-  // The variable already made for a value (of that role, if not an entity), if any.
+  // The variable already made for a value (of that role, where roles count), if any.
   const Term* Find(const Term& value, const std::string& role) const;
 
   const Bindings& instance() const { return instance_; }            // variable -> the value it stands for
@@ -39,6 +41,7 @@ class Abstraction {
   };
   std::string UniqueName(std::string name);
 
+  ValueRoles roles_;
   std::vector<Entry> entries_;
   Bindings instance_;
   std::vector<std::string> names_;

@@ -76,8 +76,9 @@ bool Adoption::Adopt(Candidate candidate) {
   if (new_state) state->state.id = journal_.NewId<CompositeStateId>();
   const Fact condition = state ? Fact{true, InstancePayload(state->state, state->values), state->interval, 1}
                                : candidate.condition.fact;
-  auto requirement = BuildRequirement({condition, candidate.target, candidate.valid, candidate.right},
-                                      KnownDefinitions(knowledge(), new_state ? &state->state : nullptr));
+  auto requirement =
+      BuildRequirement({condition, candidate.target, candidate.valid, candidate.right},
+                       KnownDefinitions(knowledge(), new_state ? &state->state : nullptr), roles_);
   if (!requirement) {
     Reject(candidate.cause, CauseVerdict::kFreeVariable, candidate.target.model,
            known ? known->model.id : ModelId{});

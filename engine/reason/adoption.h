@@ -35,7 +35,8 @@ struct Candidate {
 // One run of induction, as far as it is written down.
 class Adoption {
  public:
-  Adoption(InductionKind kind, Time now, Journal* journal) : kind_(kind), now_(now), journal_(*journal) {}
+  Adoption(InductionKind kind, ValueRoles roles, Time now, Journal* journal)
+      : kind_(kind), roles_(roles), now_(now), journal_(*journal) {}
 
   const KnowledgeBase& knowledge() const { return journal_.knowledge(); }
 
@@ -57,6 +58,7 @@ class Adoption {
   EventId WriteModel(Model model, std::vector<EventId> causes);
 
   InductionKind kind_;
+  ValueRoles roles_;
   Time now_;
   Journal& journal_;
   EventId started_;

@@ -70,9 +70,9 @@ Guard Assignment(const Term& target, const char* op, const Term& a, const Term& 
 }
 
 ModelInstance BuildCausalModel(const ObservedChange& observed, const Formula& formula,
-                               const KnowledgeBase& knowledge) {
+                               const KnowledgeBase& knowledge, ValueRoles roles) {
   const auto& [premise, cause, consequent] = observed;
-  Abstraction abstraction;
+  Abstraction abstraction(roles);
   Model model;
   const auto instant = [&](Time time, const char* role, const char* name) {
     return abstraction.Value(Term::Instant(time), role, name);

@@ -21,7 +21,7 @@ struct ObservedChange {
 };
 
 ModelInstance BuildCausalModel(const ObservedChange& observed, const Formula& formula,
-                               const KnowledgeBase& knowledge);
+                               const KnowledgeBase& knowledge, ValueRoles roles);
 
 // Assigns `op(a, b)` to the variable `target`.
 Guard Assignment(const Term& target, const char* op, const Term& a, const Term& b);

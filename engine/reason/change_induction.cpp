@@ -18,12 +18,13 @@ constexpr int kMaxNesting = 3;  // how deep in an instance the premise may stand
 
 class ChangeInduction {
  public:
-  ChangeInduction(const Change& change, const Situation& before, Time now, Journal* journal)
+  ChangeInduction(const Change& change, const Situation& before, ValueRoles roles, Time now, Journal* journal)
       : change_(change),
         premise_(before[change.premise]),
         before_(before),
-        adoption_(InductionKind::kChange, now, journal),
-        values_(journal->knowledge()) {
+        roles_(roles),
+        adoption_(InductionKind::kChange, roles, now, journal),
+        values_(journal->knowledge(), roles) {
     values_.Add(premise_.fact.payload);
     values_.Add(change_.consequent.fact.payload);
     value_change_ = {premise_.fact.payload[1].name(), premise_.fact.payload[2],
@@ -99,7 +100,8 @@ class ChangeInduction {
     }
     Fact premise = premise_.fact;
     premise.interval = Intersection(premise.interval, before_.interval()).value_or(before_.interval());
-    ModelInstance model = BuildCausalModel({premise, cause.fact, change_.consequent.fact}, *formula, kb());
+    ModelInstance model =
+        BuildCausalModel({premise, cause.fact, change_.consequent.fact}, *formula, kb(), roles_);
     auto state = FindOrBuildState(model, cause);
     if (!state) {
       adoption_.Reject(cause, CauseVerdict::kNoCompositeState, std::move(model.model));
@@ -154,12 +156,15 @@ class ChangeInduction {
     }
     std::vector<std::size_t> members{change_.premise};
     members.insert(members.end(), conditions_.begin(), conditions_.end());
-    return PutTogether(Outermost(members, before_), before_, kb());
+    auto state = PutTogether(Outermost(members, before_), before_, kb(), roles_);
+    if (state) state = KnownOrNew(std::move(*state), kb());
+    return state;
   }
 
   const Change& change_;
   const SituationFact& premise_;
   const Situation& before_;
+  ValueRoles roles_;
   Adoption adoption_;
   SharedValues values_;  // of premise and consequent
   ValueChange value_change_;
@@ -170,8 +175,9 @@ class ChangeInduction {
 
 }  // namespace
 
-void InduceFromChange(const Change& change, const Situation& before, Time now, Journal* journal) {
-  ChangeInduction(change, before, now, journal).Run();
+void InduceFromChange(const Change& change, const Situation& before, ValueRoles roles, Time now,
+                      Journal* journal) {
+  ChangeInduction(change, before, roles, now, journal).Run();
 }
 
 }  // namespace aerascope

@@ -4,7 +4,8 @@
 // command, a value that was set (HOLD), or the instance of a model that fired: that gives a reuse model.
 //
 // Deliberate differences from OpenAERA (own):
-// - Values are the same only in the same role (roles.h), in what catches attention as in what is abstracted.
+// - Values are the same only in the same role (roles.h), in what catches attention as in what is abstracted;
+//   `roles` can tell it to look at values alone, as OpenAERA does.
 // - Equal knowledge is recognised by canonical form, composite states included.
 // - What is done (commands, model instances) is a candidate even where it starts with the premise; what is
 //   sensed in step with the premise is a condition and no cause.
@@ -15,6 +16,7 @@
 #pragma once
 
 #include "engine/reason/journal.h"
+#include "engine/reason/parameters.h"
 #include "engine/reason/situation.h"
 
 namespace aerascope {
@@ -27,6 +29,7 @@ struct Change {
 
 // Writes InductionStarted, CauseConsidered for each input that could be a cause, and the knowledge made or
 // rejected. `before` is the finished situation of the last frame: facts, instances, executed commands.
-void InduceFromChange(const Change& change, const Situation& before, Time now, Journal* journal);
+void InduceFromChange(const Change& change, const Situation& before, ValueRoles roles, Time now,
+                      Journal* journal);
 
 }  // namespace aerascope

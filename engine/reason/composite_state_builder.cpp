@@ -31,7 +31,7 @@ std::vector<std::size_t> Outermost(const std::vector<std::size_t>& positions, co
 }
 
 std::optional<StateInstance> PutTogether(const std::vector<std::size_t>& members, const Situation& situation,
-                                         const KnowledgeBase& knowledge) {
+                                         const KnowledgeBase& knowledge, ValueRoles roles) {
   if (members.size() < 2) return std::nullopt;
   StateInstance instance;
   instance.facts = members;
@@ -41,7 +41,7 @@ std::optional<StateInstance> PutTogether(const std::vector<std::size_t>& members
     if (!common) return std::nullopt;
     instance.interval = *common;
   }
-  Abstraction abstraction;
+  Abstraction abstraction(roles);
   Term after;
   Term before;
   for (const std::size_t i : members) {
@@ -55,8 +55,10 @@ std::optional<StateInstance> PutTogether(const std::vector<std::size_t>& members
   }
   instance.state.variable_names = abstraction.names();
   instance.values = abstraction.instance();
+  return instance;
+}
 
-  // An equal composite state that is known already is used in the place of the new one.
+StateInstance KnownOrNew(StateInstance instance, const KnowledgeBase& knowledge) {
   const Canonical canonical = knowledge.CanonicalOf(instance.state);
   const CompositeStateRecord* known = knowledge.Find(knowledge.FindState(canonical.hash));
   if (!known) return instance;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/kb/knowledge_base.h"
+#include "engine/reason/parameters.h"
 #include "engine/reason/situation.h"
 
 namespace aerascope {
@@ -32,9 +33,13 @@ bool InSync(const TimeInterval& interval, const TimeInterval& reference);
 // Those of the positions that no other of them contains.
 std::vector<std::size_t> Outermost(const std::vector<std::size_t>& positions, const Situation& situation);
 
-// The state whose components are these facts and instances; nothing if they are fewer than two.
+// The state whose components are these facts and instances, as if it were new; nothing if they are fewer than
+// two.
 std::optional<StateInstance> PutTogether(const std::vector<std::size_t>& members, const Situation& situation,
-                                         const KnowledgeBase& knowledge);
+                                         const KnowledgeBase& knowledge, ValueRoles roles);
+
+// The same in terms of the equal composite state that is known already, if there is one.
+StateInstance KnownOrNew(StateInstance instance, const KnowledgeBase& knowledge);
 
 // An instance that is in the situation already.
 StateInstance InstanceAt(std::size_t position, const Situation& situation, const KnowledgeBase& knowledge);

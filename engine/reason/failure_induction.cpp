@@ -21,12 +21,13 @@ bool IsSensed(const SituationFact& fact) {
 
 class FailureInduction {
  public:
-  FailureInduction(const FailedPrediction& failed, const std::vector<const Situation*>& frames, Time now,
-                   Journal* journal)
+  FailureInduction(const FailedPrediction& failed, const std::vector<const Situation*>& frames,
+                   const ReasonerParameters& parameters, Time now, Journal* journal)
       : failed_(failed),
         frames_(frames),
-        adoption_(InductionKind::kPredictionFailure, now, journal),
-        values_(journal->knowledge()) {}
+        parameters_(parameters),
+        adoption_(InductionKind::kPredictionFailure, parameters.value_roles, now, journal),
+        values_(journal->knowledge(), parameters.value_roles) {}
 
   void Run() {
     const ModelRecord* record = kb().Find(failed_.model);
@@ -134,9 +135,9 @@ class FailureInduction {
     for (const auto& [key, i] : instances) Veto(cause, OnState(InstanceAt(i, frame, kb()), frame), frame);
 
     taken_up->insert(position);
-    if (auto state = PutTogether(together, frame, kb())) {
+    if (auto state = PutTogether(together, frame, kb(), parameters_.value_roles)) {
       for (const std::size_t i : together) TakeUp(frame, i, taken_up);
-      Veto(cause, OnState(std::move(*state), frame), frame);
+      Veto(cause, OnState(KnownOrNew(std::move(*state), kb()), frame), frame);
     } else if (instances.empty()) {
       Veto(cause, OnFact(cause), frame);
     }
@@ -188,6 +189,7 @@ class FailureInduction {
 
   const FailedPrediction& failed_;
   const std::vector<const Situation*>& frames_;
+  const ReasonerParameters& parameters_;
   Adoption adoption_;
   SharedValues values_;  // of the failed instance
   ModelInstance target_;
@@ -199,9 +201,9 @@ class FailureInduction {
 
 }  // namespace
 
-void InduceFromFailure(const FailedPrediction& failed, const std::vector<const Situation*>& frames, Time now,
-                       Journal* journal) {
-  FailureInduction(failed, frames, now, journal).Run();
+void InduceFromFailure(const FailedPrediction& failed, const std::vector<const Situation*>& frames,
+                       const ReasonerParameters& parameters, Time now, Journal* journal) {
+  FailureInduction(failed, frames, parameters, now, journal).Run();
 }
 
 }  // namespace aerascope

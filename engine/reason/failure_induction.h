@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "engine/reason/journal.h"
+#include "engine/reason/parameters.h"
 #include "engine/reason/situation.h"
 
 namespace aerascope {
@@ -38,7 +39,7 @@ struct FailedPrediction {
 };
 
 // `frames` are situations, the latest first: the first is the latest that may hold a reason.
-void InduceFromFailure(const FailedPrediction& failed, const std::vector<const Situation*>& frames, Time now,
-                       Journal* journal);
+void InduceFromFailure(const FailedPrediction& failed, const std::vector<const Situation*>& frames,
+                       const ReasonerParameters& parameters, Time now, Journal* journal);
 
 }  // namespace aerascope

@@ -18,13 +18,14 @@ namespace {
 
 constexpr int kAnyDepth = 64;
 
-class GoalInduction {
+class InductionFromGoal {
  public:
-  GoalInduction(const ReachedGoal& goal, Time now, Journal* journal)
+  InductionFromGoal(const ReachedGoal& goal, ValueRoles roles, Time now, Journal* journal)
       : goal_(goal),
+        roles_(roles),
         wanted_(goal.target),
-        adoption_(InductionKind::kGoalSuccess, now, journal),
-        values_(journal->knowledge()) {
+        adoption_(InductionKind::kGoalSuccess, roles, now, journal),
+        values_(journal->knowledge(), roles) {
     // What the goal leaves open is as it was seen.
     if (!wanted_.payload.ground()) wanted_ = goal.evidence;
     wanted_.interval = goal.evidence.interval;
@@ -127,7 +128,7 @@ class GoalInduction {
 
   // Cause -> what was wanted, by the time between them.
   ModelInstance Build(const Fact& cause) const {
-    Abstraction abstraction;
+    Abstraction abstraction(roles_);
     Model model;
     const auto instant = [&](Time time, const char* role, const char* name) {
       return abstraction.Value(Term::Instant(time), role, name);
@@ -164,6 +165,7 @@ class GoalInduction {
   }
 
   const ReachedGoal& goal_;
+  ValueRoles roles_;
   Fact wanted_;
   Adoption adoption_;
   SharedValues values_;  // of the goal
@@ -173,9 +175,10 @@ class GoalInduction {
 }  // namespace
 
 void InduceFromGoal(const ReachedGoal& goal, const std::vector<PredictedCommand>& came_true,
-                    const std::vector<const Situation*>& frames, bool pass_through, Time now,
-                    Journal* journal) {
-  GoalInduction(goal, now, journal).Run(came_true, frames, pass_through);
+                    const std::vector<const Situation*>& frames, const ReasonerParameters& parameters,
+                    Time now, Journal* journal) {
+  InductionFromGoal(goal, parameters.value_roles, now, journal)
+      .Run(came_true, frames, parameters.goal_induction == GoalInduction::kSideEffects);
 }
 
 }  // namespace aerascope

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "engine/reason/journal.h"
+#include "engine/reason/parameters.h"
 #include "engine/reason/situation.h"
 
 namespace aerascope {
@@ -41,7 +42,7 @@ struct PredictedCommand {
 
 // `frames` are finished situations, the latest first.
 void InduceFromGoal(const ReachedGoal& goal, const std::vector<PredictedCommand>& came_true,
-                    const std::vector<const Situation*>& frames, bool pass_through, Time now,
-                    Journal* journal);
+                    const std::vector<const Situation*>& frames, const ReasonerParameters& parameters,
+                    Time now, Journal* journal);
 
 }  // namespace aerascope

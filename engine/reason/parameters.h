@@ -29,6 +29,15 @@ constexpr std::string_view ToText(GoalInduction induction) {
   return induction == GoalInduction::kAll ? "all" : "side_effects";
 }
 
+// When induction takes two equal quantities for the same one (semantics 10.4, coincidence). kApart: only in
+// one role (roles.h), so that a hand moved by 5 to 5 teaches nothing about fives; this project's choice.
+// kTogether: wherever they stand, as OpenAERA does.
+enum class ValueRoles { kApart, kTogether };
+
+constexpr std::string_view ToText(ValueRoles roles) {
+  return roles == ValueRoles::kApart ? "apart" : "together";
+}
+
 struct ReasonerParameters {
   // Analogy (not parameters in OpenAERA, where three components are built in and familiarity is not
   // computed).
@@ -48,6 +57,7 @@ struct ReasonerParameters {
   // Induction (OpenAERA: 300 ms in frames of 100 ms).
   int tpx_time_horizon_frames = 3;  // how far back the causes of a failed prediction are looked for
   GoalInduction goal_induction = GoalInduction::kAll;  // openaera mode: kSideEffects
+  ValueRoles value_roles = ValueRoles::kApart;         // openaera mode: kTogether
 
   // Forward chaining. OpenAERA has no limit of its own here.
   int max_prediction_chain = 4;  // predictions that rest on one another, beyond the one made from facts

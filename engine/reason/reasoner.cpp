@@ -229,7 +229,7 @@ void Reasoner::LearnFromFailure(const PredictionRecord& prediction, FactId shown
                      shown_by,
                      prediction.target,
                      {outcome, prediction.event}},
-                    frames, FrameInterval().after, &journal_);
+                    frames, parameters_, FrameInterval().after, &journal_);
 }
 
 void Reasoner::LearnFromChanges() {
@@ -248,7 +248,7 @@ void Reasoner::LearnFromChanges() {
           !ContradictsValue(consequent.fact.payload, premise.fact.payload)) {
         continue;
       }
-      InduceFromChange({i, consequent}, previous_, FrameInterval().after, &journal_);
+      InduceFromChange({i, consequent}, previous_, parameters_.value_roles, FrameInterval().after, &journal_);
       break;
     }
   }
@@ -282,8 +282,7 @@ void Reasoner::LearnFromGoals(const std::vector<Drives::Achieved>& reached) {
       }
     }
     InduceFromGoal({goal.target, evidence.id, evidence.fact, {goal.event, evidence.event}}, commands, frames,
-                   parameters_.goal_induction == GoalInduction::kSideEffects, FrameInterval().after,
-                   &journal_);
+                   parameters_, FrameInterval().after, &journal_);
   }
 }
 

@@ -21,8 +21,9 @@ std::vector<int> TemplateInstants(const ModelInstance& instance) {
 // The statement (imdl M [template] [exposed]) with the condition's variables where the values are the same.
 class Statement {
  public:
-  Statement(const ModelInstance& target, const KnownDefinitions& knowledge, Abstraction* abstraction)
-      : target_(target), knowledge_(knowledge), abstraction_(*abstraction) {
+  Statement(const ModelInstance& target, const KnownDefinitions& knowledge, ValueRoles roles,
+            Abstraction* abstraction)
+      : target_(target), knowledge_(knowledge), roles_(roles), abstraction_(*abstraction) {
     for (const int variable : TemplateVariables(target.model)) template_.insert(variable);
     for (const int variable : EffectVariablesLeftOpen(target.model)) open_.insert(variable);
   }
@@ -46,9 +47,11 @@ class Statement {
     const Term* value = target_.values.Find(variable);
     if (!value) return abstraction_.Fresh(Term::Nil(), name);
     // An individual is the same wherever it stands. A quantity is passed on only where the model has no other
-    // way to it: what it reads from its input or computes is its own affair.
+    // way to it: what it reads from its input or computes is its own affair. Where equal values are one
+    // whatever they are of, it is passed on in any case.
     if (value->is(TermKind::kEntity)) return abstraction_.Entity(*value);
-    if (template_.contains(variable) || open_.contains(variable)) {
+    if (template_.contains(variable) || open_.contains(variable) ||
+        (IsQuantity(*value) && !HasRole(*value, roles_))) {
       const std::string role = RoleOfVariable(target_.model, variable, knowledge_);
       if (const Term* known = abstraction_.Find(*value, role)) return *known;
     }
@@ -57,6 +60,7 @@ class Statement {
 
   const ModelInstance& target_;
   const KnownDefinitions& knowledge_;
+  ValueRoles roles_;
   Abstraction& abstraction_;
   std::set<int> template_;
   std::set<int> open_;
@@ -88,10 +92,11 @@ std::optional<TimeInterval> TemplateInterval(const Term& ground_template) {
   return TimeInterval{instants[0], instants[1]};
 }
 
-std::optional<Model> BuildRequirement(const RequirementCase& observed, const KnownDefinitions& knowledge) {
+std::optional<Model> BuildRequirement(const RequirementCase& observed, const KnownDefinitions& knowledge,
+                                      ValueRoles roles) {
   const TimeInterval& held = observed.condition.interval;
   const TimeInterval& valid = observed.valid;
-  Abstraction abstraction;
+  Abstraction abstraction(roles);
   Model requirement;
   requirement.lhs.positive = observed.condition.positive;
   requirement.lhs.payload = abstraction.Payload(observed.condition.payload, knowledge);
@@ -112,7 +117,7 @@ std::optional<Model> BuildRequirement(const RequirementCase& observed, const Kno
   requirement.lhs.after = t0;
   requirement.lhs.before = t1;
   requirement.rhs = {observed.right,
-                     Statement(observed.target, knowledge, &abstraction).Payload(after, before), after,
+                     Statement(observed.target, knowledge, roles, &abstraction).Payload(after, before), after,
                      before};
   requirement.variable_names = abstraction.names();
 

@@ -20,7 +20,8 @@ struct RequirementCase {
 
 // Nothing if the model's effect holds a value that neither its left side nor the condition gives. The id is
 // left invalid.
-std::optional<Model> BuildRequirement(const RequirementCase& observed, const KnownDefinitions& knowledge);
+std::optional<Model> BuildRequirement(const RequirementCase& observed, const KnownDefinitions& knowledge,
+                                      ValueRoles roles);
 
 // The variables of a model's effect that must come from a requirement model: template, left side and guards
 // do not give them.

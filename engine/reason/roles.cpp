@@ -135,6 +135,11 @@ bool IsQuantity(const Term& value) {
                      [](const Term& item) { return item.is(TermKind::kNumber); });
 }
 
+bool HasRole(const Term& value, ValueRoles roles) {
+  if (value.is(TermKind::kEntity)) return false;
+  return roles == ValueRoles::kApart || !IsQuantity(value);
+}
+
 std::string ArgumentRole(std::size_t i) {
   return "argument " + std::to_string(i);
 }
@@ -185,7 +190,7 @@ bool SharedValues::SharedBy(const Term& payload) const {
 
 bool SharedValues::Contains(const Term& value, const std::string& role) const {
   return std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-    return SameValue(entry.value, value) && (value.is(TermKind::kEntity) || entry.role == role);
+    return SameValue(entry.value, value) && (entry.role == role || !HasRole(value, roles_));
   });
 }
 

@@ -1,7 +1,8 @@
 // A Role says what a value is the value *of*: of an attribute, of a command's third argument, of a model's
 // effect interval. Learning compares quantities only within one role, so that a coincidence (the hand moves
 // by 5 and arrives at 5) does not become a rule (semantics 10.4, this project's choice; OpenAERA compares
-// values alone). Individuals have no role: one entity is the same wherever it stands.
+// values alone, and so does this program where value_roles is "together"). Individuals have no role: one
+// entity is the same wherever it stands.
 #pragma once
 
 #include <functional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "engine/kb/knowledge_base.h"
+#include "engine/reason/parameters.h"
 
 namespace aerascope {
 
@@ -29,6 +31,10 @@ class KnownDefinitions {
 
 // A value that learning may replace by a variable: a number, or a vector of numbers.
 bool IsQuantity(const Term& value);
+
+// Does it matter in which role the value stands? Not for entities; for quantities as the parameter says;
+// always for instants.
+bool HasRole(const Term& value, ValueRoles roles);
 
 // What a variable stands for. In a composite state: the attribute whose value it is, looked for in nested
 // states too. In a model: the same, or "argument 1" of its command, or a place in its timing. "" if unknown.
@@ -54,7 +60,7 @@ void ForEachValue(const Term& payload, const KnownDefinitions& knowledge, const 
 // not count (semantics 5.1, "share a value").
 class SharedValues {
  public:
-  explicit SharedValues(const KnowledgeBase& knowledge) : knowledge_(knowledge) {}
+  SharedValues(const KnowledgeBase& knowledge, ValueRoles roles) : knowledge_(knowledge), roles_(roles) {}
 
   void Add(const Term& payload);
   bool SharedBy(const Term& payload) const;
@@ -67,6 +73,7 @@ class SharedValues {
   bool Contains(const Term& value, const std::string& role) const;
 
   KnownDefinitions knowledge_;
+  ValueRoles roles_;
   std::vector<Entry> entries_;
 };
 

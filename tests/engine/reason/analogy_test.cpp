@@ -285,6 +285,22 @@ TEST(Analogy107, FourOfFiveComponents) {
   EXPECT_DOUBLE_EQ((*accepted)->jaccard, 4.0 / 6.0);
 }
 
+TEST(Analogy107, FourOfFiveComponentsInOpenaeraMode) {
+  // OpenAERA (semantics 6, aspect cfd*): .6, whatever matches and however sure the original is.
+  ToyMind mind(Openaera());
+  Knowledge k;
+  k.of_requirements = {9, 10};
+  k.more = {{"colour", "red"}};
+  std::vector<Term> thing = Thing("s", "sphere", "large");
+  thing.push_back(Value(E("s"), "colour", O("red")));
+  Learn(&mind, thing, k);
+  mind.See(Scene(10, "s", 15));
+  mind.Want(Holding("s"));
+  mind.Act();
+  EXPECT_THAT(Compared(mind, AnalogyVerdict::kAccepted), Contains("grab_type_2 4+0/5"));
+  for (const ModelRecord* hypothesis : Hypothesised(mind)) EXPECT_DOUBLE_EQ(hypothesis->evidence.rate(), 0.6);
+}
+
 TEST(Analogy107, TheSameGoalInTheNextFrameAddsNothingInPaperMode) {
   // own: no duplicates.
   ToyMind mind;

@@ -88,6 +88,52 @@ TEST(ChangeInduction, Coincidence) {
   EXPECT_TRUE(agent.Find(MoveModel())) << agent.Text();
 }
 
+// A mind that takes equal numbers for the same one, as in openaera mode.
+Agent LooksAtValuesAlone() {
+  ReasonerParameters parameters;
+  parameters.value_roles = ValueRoles::kTogether;
+  return Agent(HandIsAHand(), {HandAt(1)}, {}, parameters);
+}
+
+TEST(ChangeInduction, CoincidenceInOpenaeraMode) {
+  // OpenAERA (semantics 10.4, coincidence): argument 5 and new position 5 are one variable, which the guards
+  // overwrite: move [v3 v4], position v4, v4 := v0 + v4 and back v4 := v4 - v0.
+  Agent agent = LooksAtValuesAlone();
+  agent.Sense({Val("h", "position", N(0))});
+  agent.Do(Cmd("move", {E("h"), N(5)}));
+  agent.Sense({Val("h", "position", N(5))});
+  Model coincidence;
+  coincidence.template_arguments = {V(0), Ti(V(1), V(2))};
+  coincidence.lhs = {true, Cmd("move", {V(3), V(4)}), V(5), V(6)};
+  coincidence.rhs = {true, MakeValue(V(3), O("position"), V(4)), V(7), V(8)};
+  coincidence.forward = {Assign(7, "+", V(1), D(100)), Assign(8, "+", V(2), D(100)),
+                         Assign(4, "+", V(0), V(4))};
+  coincidence.backward = {Assign(1, "-", V(7), D(100)), Assign(2, "-", V(8), D(100)),
+                          Assign(5, "-", V(7), D(80)), Assign(6, "-", V(8), D(100)),
+                          Assign(4, "-", V(4), V(0))};
+  const ModelRecord* move = agent.Find(coincidence);
+  ASSERT_TRUE(move) << agent.Text();
+  EXPECT_FALSE(agent.Find(MoveModel()));
+  // "It survives only because guards overwrite in sequence": the next move is predicted,
+  agent.Do(Cmd("move", {E("h"), N(-7)}));
+  agent.Sense({Val("h", "position", N(-2))});
+  EXPECT_EQ(move->evidence, (Evidence{2, 2}));
+  // and a place that is wanted gives the move that leads there.
+  agent.reasoner.SetDrive("h at 10", Val("h", "position", N(10)), Time{1'000'000});
+  const auto wish = agent.reasoner.Decide();
+  ASSERT_TRUE(wish);
+  EXPECT_EQ(wish->command, Cmd("move", {E("h"), N(12)}));
+}
+
+TEST(ChangeInduction, WithoutACoincidenceBothModesLearnTheSame) {
+  // OpenAERA (semantics 10.4, move), where value_roles is "together": 20, -5 and 15 are three values.
+  Agent agent = LooksAtValuesAlone();
+  agent.Sense({Val("h", "position", N(20))});
+  agent.Do(Cmd("move", {E("h"), N(-5)}));
+  agent.Sense({Val("h", "position", N(15))});
+  EXPECT_TRUE(agent.Find(MoveModel())) << agent.Text();
+}
+
 TEST(ChangeInduction, Grab) {
   // OpenAERA (semantics 10.4, grab).
   // Given a hand and a cube both at 5, and other things elsewhere, when the hand grabs,
