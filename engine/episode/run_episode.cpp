@@ -28,6 +28,7 @@ std::vector<Parameter> ParametersOf(const ReasonerParameters& p, const EventKind
           {"tpx_time_horizon_frames", std::to_string(p.tpx_time_horizon_frames)},
           {"goal_induction", std::string(ToText(p.goal_induction))},
           {"value_roles", std::string(ToText(p.value_roles))},
+          {"max_veto_ways", std::to_string(p.max_veto_ways)},
           {"max_prediction_chain", std::to_string(p.max_prediction_chain)},
           {"max_plan_depth", std::to_string(p.max_plan_depth)},
           {"max_simulation_nodes", std::to_string(p.max_simulation_nodes)},

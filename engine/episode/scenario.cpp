@@ -152,6 +152,7 @@ class ScenarioReader {
     p.value_roles = table.Choice("value_roles", {"apart", "together"}, openaera ? 1 : 0) == 1u
                         ? ValueRoles::kTogether
                         : ValueRoles::kApart;
+    p.max_veto_ways = static_cast<int>(table.Integer("max_veto_ways", p.max_veto_ways, 1, 4096));
     p.analogy_min_matched =
         static_cast<int>(table.Integer("analogy_min_matched", p.analogy_min_matched, 1, 1000));
     p.analogy_min_psi = table.Number("analogy_min_psi", p.analogy_min_psi, 0, 1);

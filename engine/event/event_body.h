@@ -200,11 +200,12 @@ enum class CauseVerdict {
   kBlackListed,       // the same model failed and was deleted before
   kDuplicate,         // the same model is known already
   kContradicted,      // it would forbid what has always been right
+  kTooManyWays,       // what could be put together holds in too many ways at once to tell anything
 };
 template <>
-inline constexpr std::array<std::string_view, 10> kEnumNames<CauseVerdict>{
+inline constexpr std::array<std::string_view, 11> kEnumNames<CauseVerdict>{
     "built",         "no_shared_value", "too_late",  "simultaneous", "no_guard_form", "no_composite_state",
-    "free_variable", "black_listed",    "duplicate", "contradicted"};
+    "free_variable", "black_listed",    "duplicate", "contradicted", "too_many_ways"};
 
 struct CauseConsidered {
   FactId fact_id;

@@ -64,6 +64,8 @@ std::string_view Words(CauseVerdict verdict) {
       return "the same model is known already";
     case CauseVerdict::kContradicted:
       return "it would forbid what has always been right";
+    case CauseVerdict::kTooManyWays:
+      return "what held with it can be put together in too many ways to tell anything";
   }
   return {};
 }

@@ -14,6 +14,8 @@ namespace aerascope {
 namespace {
 
 constexpr int kAnyDepth = 64;
+// Facts tried while the ways in which a condition holds are counted; one that needs more has too many.
+constexpr std::size_t kMaxJoinSteps = 20000;
 
 bool IsSensed(const SituationFact& fact) {
   return IsValue(fact.fact.payload) && !fact.permanent && !fact.concluded;
@@ -137,10 +139,22 @@ class FailureInduction {
     taken_up->insert(position);
     if (auto state = PutTogether(together, frame, kb(), parameters_.value_roles)) {
       for (const std::size_t i : together) TakeUp(frame, i, taken_up);
-      Veto(cause, OnState(KnownOrNew(std::move(*state), kb()), frame), frame);
+      if (HoldsInTooManyWays(state->state, frame)) {
+        adoption_.Report(cause, CauseVerdict::kTooManyWays);
+      } else {
+        Veto(cause, OnState(KnownOrNew(std::move(*state), kb()), frame), frame);
+      }
     } else if (instances.empty()) {
       Veto(cause, OnFact(cause), frame);
     }
+  }
+
+  // Asked before the state is brought into canonical form, which costs most for what has many ways.
+  bool HoldsInTooManyWays(const CompositeState& state, const Situation& frame) const {
+    const auto allowed = static_cast<std::size_t>(parameters_.max_veto_ways);
+    JoinWork work;
+    const std::size_t ways = JointMatches(state, frame, {}, {allowed + 1, kMaxJoinSteps}, &work).size();
+    return ways > allowed || work.cut > 0;
   }
 
   void TakeUp(const Situation& frame, std::size_t position, std::set<std::size_t>* taken_up) const {

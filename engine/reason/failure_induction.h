@@ -15,6 +15,10 @@
 // - As in induction from change, a veto must bind the individuals of the effect: one that says "whatever it
 // is
 //   done to" is rejected (free variable).
+// - A condition that is put together and holds in more than max_veto_ways ways at once is no veto (too many
+//   ways). Of many things that nothing tells apart (all at one place, all of them off) it would say the same
+//   of each choice and order of them: what is gained is one warning, what it costs are thousands of instances
+//   in every frame from then on, and further warnings on each of these when the next prediction fails.
 // - A veto is not made on a condition that is part of another under which the model has never been wrong:
 // what
 //   was right already refutes it (contradicted).

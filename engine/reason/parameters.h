@@ -58,6 +58,9 @@ struct ReasonerParameters {
   int tpx_time_horizon_frames = 3;  // how far back the causes of a failed prediction are looked for
   GoalInduction goal_induction = GoalInduction::kAll;  // openaera mode: kSideEffects
   ValueRoles value_roles = ValueRoles::kApart;         // openaera mode: kTogether
+  // A condition put together after a failure becomes a veto only if it holds in at most so many ways at once.
+  // OpenAERA has no such limit.
+  int max_veto_ways = 24;
 
   // Forward chaining. OpenAERA has no limit of its own here.
   int max_prediction_chain = 4;  // predictions that rest on one another, beyond the one made from facts

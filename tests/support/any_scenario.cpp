@@ -94,6 +94,7 @@ class Maker {
     std::string text = "[reasoner]\nmax_plan_depth = 4\nmax_simulation_nodes = 200\n";
     if (Below(3) == 0) text += "analogy_mode = \"openaera\"\n";
     if (Below(3) == 0) text += "value_roles = \"together\"\n";
+    if (Below(3) == 0) text += "max_veto_ways = 2\n";
     if (Below(3) == 0) text += "analogy_min_psi = 0.3\n";
     if (Below(3) == 0) text += "primary_thz_ms = 300\nsecondary_thz_ms = 900\n";
     if (Below(3) == 0) text += "goal_induction = \"side_effects\"\nmax_prediction_chain = 0\n";

@@ -30,8 +30,9 @@ Sizes SizesFor(const LargeScenarioOptions& options) {
   sizes.presses =
       std::clamp<std::int64_t>(std::min({options.models / 8, room, wanted - 100}), 2, 400) / 2 * 2;
   sizes.classes = std::clamp<std::int64_t>((wanted - 95 - sizes.presses * 2 / 5) / 6, 2, 40);
-  sizes.grabs =
-      std::max(sizes.grabs, sizes.classes);  // what was never taught for any thing of its size fails
+  // A grasp that was never taught for any thing of its size fails: half of the drives would be missed, and
+  // too little carried over by analogy for a reader to be measured with.
+  sizes.grabs = std::max(sizes.grabs, sizes.classes);
   const std::int64_t learned = 2 * (sizes.grabs + sizes.presses) + 2 * sizes.classes;
   sizes.given = std::max<std::int64_t>(options.models - learned, 0) * 2 / 5;  // five models for two of them
   return sizes;

@@ -234,12 +234,13 @@ TEST(Scenario, ParametersAreSetByName) {
   EXPECT_EQ(scenario.reasoner.primary_thz, Seconds(3'600'000));
   const Scenario other = Good(
       "[reasoner]\ngoal_induction = \"side_effects\"\nprimary_thz_ms = 300\nsecondary_thz_ms = 700\n"
-      "max_prediction_chain = 0\nvalue_roles = \"together\"\n");
+      "max_prediction_chain = 0\nvalue_roles = \"together\"\nmax_veto_ways = 7\n");
   EXPECT_EQ(other.reasoner.goal_induction, GoalInduction::kSideEffects);
   EXPECT_EQ(other.reasoner.primary_thz, Milliseconds(300));
   EXPECT_EQ(other.reasoner.secondary_thz, Milliseconds(700));
   EXPECT_EQ(other.reasoner.max_prediction_chain, 0);
   EXPECT_EQ(other.reasoner.value_roles, ValueRoles::kTogether);
+  EXPECT_EQ(other.reasoner.max_veto_ways, 7);
 }
 
 TEST(ScenarioErrors, Keys) {

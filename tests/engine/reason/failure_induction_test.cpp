@@ -110,5 +110,89 @@ TEST_F(Release, WhatWarnedWronglyDropsToAHalf) {
   EXPECT_EQ(requirement->evidence, (Evidence{2, 3}));
 }
 
+// A hand, and things in one place that nothing but their names tells apart. The first is taught to be
+// grabbed; then the grab fails three times.
+class Heap {
+ public:
+  explicit Heap(int things, const ReasonerParameters& parameters = {})
+      : things_(things),
+        agent(Properties(things), {HandAt(1), ThingAt(2, "shape"), ThingAt(3, "size")}, {}, parameters) {
+    Sense(false);
+    agent.Do(Cmd("grab", {E("h")}));
+    Sense(true);
+    Sense(false);
+    Sense(false);
+    taught_ = agent.events.events.size();
+    for (int i = 0; i < 3; ++i) {
+      agent.Do(Cmd("grab", {E("h")}));
+      Sense(false);
+      Sense(false);
+    }
+  }
+
+  std::size_t EventsSinceTaught() const { return agent.events.events.size() - taught_; }
+  int Verdicts(CauseVerdict verdict) const {
+    int count = 0;
+    for (const CauseConsidered* considered : agent.events.All<CauseConsidered>())
+      count += considered->verdict == verdict ? 1 : 0;
+    return count;
+  }
+
+ private:
+  static std::string Name(int i) { return "c" + std::to_string(i); }
+  static std::vector<Fact> Properties(int things) {
+    std::vector<Fact> properties{Holds(Val("h", "essence", O("hand")), kAlways)};
+    for (int i = 0; i < things; ++i) {
+      properties.push_back(Holds(Val(Name(i).c_str(), "shape", O("cube")), kAlways));
+      properties.push_back(Holds(Val(Name(i).c_str(), "size", O(i % 2 == 0 ? "small" : "large")), kAlways));
+    }
+    return properties;
+  }
+  void Sense(bool holding) {
+    std::vector<Term> now{Val("h", "position", N(5)),
+                          Val("h", "holding", holding ? Set({E("c0")}) : Set({}))};
+    for (int i = 0; i < things_; ++i) {
+      now.push_back(Val(Name(i).c_str(), "position", N(5)));
+      now.push_back(Val(Name(i).c_str(), "lit", O("off")));
+    }
+    agent.Sense(now);
+  }
+
+  int things_;
+  std::size_t taught_ = 0;
+
+ public:
+  Agent agent;
+};
+
+TEST(FailureInduction, AmongManyThingsThatNothingTellsApartItStaysSmall) {
+  // A failure among a dozen of things that are alike once made a condition of all of them, which held in 4096
+  // ways (there it was cut) in each frame from then on, and took minutes among sixty.
+  const Heap heap(60);
+  // A frame has 120 facts of things and 180 instances; each of the three failures looks at three frames.
+  EXPECT_LT(heap.EventsSinceTaught(), 6u * 320 + 3u * 3 * 320);
+  EXPECT_GT(heap.Verdicts(CauseVerdict::kTooManyWays), 0);
+  for (const auto& [id, record] : heap.agent.kb().composite_states())
+    EXPECT_LT(record.state.components.size(), 10u) << ToText(record.state);
+  // What was thought sufficient is vetoed all the same.
+  EXPECT_FALSE(Vetoes(heap.agent).empty());
+}
+
+TEST(FailureInduction, AFewThingsAreToldApartByTheirOrder) {
+  // own: what holds in few ways is a veto as before, here with both large and small things in it.
+  const Heap heap(3);
+  EXPECT_EQ(heap.Verdicts(CauseVerdict::kTooManyWays), 0);
+  EXPECT_EQ(heap.agent.kb().composite_states().size(), 6u) << heap.agent.Text();
+}
+
+TEST(FailureInduction, HowManyWaysAreTooManyIsAParameter) {
+  // own: max_veto_ways. The same with one way only.
+  ReasonerParameters parameters;
+  parameters.max_veto_ways = 1;
+  const Heap heap(3, parameters);
+  EXPECT_GT(heap.Verdicts(CauseVerdict::kTooManyWays), 0);
+  EXPECT_LT(heap.agent.kb().composite_states().size(), 6u);
+}
+
 }  // namespace
 }  // namespace aerascope
