@@ -214,6 +214,7 @@ BENCHMARK_CAPTURE(RunShippedScenario, push_then_grab, "push_then_grab.toml")->Un
 BENCHMARK_CAPTURE(RunShippedScenario, hand_grab_sphere_learn, "hand_grab_sphere_learn.toml")
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(RunShippedScenario, moving_ball, "moving_ball.toml")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(RunShippedScenario, two_ways, "two_ways.toml")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(RunShippedScenario, pick_and_place, "pick_and_place.toml")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(RunShippedScenario, size_pruned_first, "size_pruned_first.toml")
     ->Unit(benchmark::kMillisecond);

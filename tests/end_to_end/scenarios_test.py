@@ -14,7 +14,8 @@ from support import SCENARIOS, EndToEndTest, call, events, recorded, subject_det
 GOLDEN = Path(__file__).with_name("golden")
 
 # Worlds without physics are the same on every machine, to the last bit; of the others we compare what was known and done.
-EXACT = ["pick_and_place_scripted", "size_pruned_first_scripted", "push_then_grab", "hand_grab_sphere_learn", "moving_ball"]
+EXACT = ["pick_and_place_scripted", "size_pruned_first_scripted", "push_then_grab", "hand_grab_sphere_learn", "moving_ball",
+         "two_ways"]
 PHYSICAL = ["pick_and_place", "size_pruned_first", "wrong_grasp"]
 
 TOLD = {"CommandIssued", "CommandRefused", "PredictionFailed", "CompositeStateCreated", "ModelCreated",
@@ -309,3 +310,46 @@ class MovingBall(EndToEndTest):
         # Semantics 3.5: 1 of 1, then two failures.
         falls = [body["after"] for _, body in self.ratings() if not body["success"]][-2:]
         self.assertEqual(falls, [{"positive": 1.0, "total": 2.0}, {"positive": 1.0, "total": 3.0}])
+
+
+class TwoWays(EndToEndTest):
+    """Label of the oracle: own, semantics 6.2 (solutions are ranked by the product of what they rely on) and 4.6."""
+
+    NAME = "two_ways"
+
+    def plans(self):
+        """{commands: (outcome, score)} of the plans tried at the drive's first decision, and the decision's own event."""
+        log = log_of(self.NAME)
+        committed = next(event["body"] for event in log if event["kind"] == "PlanCommitted")
+        ended = {body["simulation"]: body["outcome"] for body in bodies(self.NAME, "SimulationEnded")}
+        tried = {body["simulation"]: body for body in bodies(self.NAME, "SimulationStarted")}
+        return {tuple(step["command"] for step in tried[number]["steps"]): (ended[number], tried[number]["score"])
+                for number in committed["candidates"]}, committed
+
+    def test_the_lid_is_opened_by_the_longer_way(self):
+        self.assertEqual(drives_of(self.NAME), [("jar open", "reached")])
+        self.assertEqual([event["body"]["command"] for event in agents_commands(self.NAME)],
+                         ["(cmd press [@jar])", "(cmd twist [@jar])"])
+
+    def test_both_ways_reach_the_end_in_the_head_and_the_surer_one_wins(self):
+        plans, committed = self.plans()
+        self.assertEqual(plans, {("(cmd press [@jar])", "(cmd twist [@jar])"): ("reached", 1.0),
+                                 ("(cmd pull [@jar])",): ("reached", 0.75 * 0.75)})
+        self.assertEqual(committed["score"], 1.0)
+        rejected = [body for body in bodies(self.NAME, "PlanRejected") if body["simulation"] in committed["candidates"]]
+        self.assertEqual([(body["reason"], body["score"]) for body in rejected], [("lower_score", 0.75 * 0.75)])
+
+    def test_the_pull_is_less_sure_for_what_was_seen_of_it(self):
+        pull = next(body["model"]["id"] for body in bodies(self.NAME, "ModelCreated")
+                    if "(cmd pull " in body["model"]["definition"])
+        rated = [body["after"] for body in bodies(self.NAME, "EvidenceUpdated") if body["model"] == pull]
+        self.assertEqual([(after["positive"], after["total"]) for after in rated], [(1, 2), (2, 3), (3, 4)])
+
+    def test_the_pulls_that_went_well_weaken_the_warnings_of_the_one_that_did_not(self):
+        log = log_of(self.NAME)
+        warnings = {event["body"]["model"]["id"] for event in log
+                    if event["kind"] == "ModelCreated" and event["body"]["origin"] == "prediction_failure"}
+        self.assertTrue(warnings)
+        falls = [body for body in bodies(self.NAME, "EvidenceUpdated") if body["model"] in warnings]
+        self.assertTrue(falls)
+        self.assertFalse(any(body["success"] for body in falls))
