@@ -1,5 +1,6 @@
 // aerascope diff: what one agent knows and another does not.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 
@@ -36,12 +37,25 @@ Result<Side> OpenSide(const std::string& text) {
   return Side{std::move(*run), *at};
 }
 
+// What a page calls the sides: files without their folders, which are nobody's business, but for the
+// innermost one where the files have one name.
+DiffNames PageNames(const Options& options) {
+  const auto with_folder = [](const std::string& name) {
+    const std::filesystem::path path(name);
+    return (path.parent_path().filename() / path.filename()).string();
+  };
+  if (FileName(options.left) != FileName(options.right))
+    return {FileName(options.left), FileName(options.right)};
+  return {with_folder(options.left), with_folder(options.right)};
+}
+
 // The difference in the format that was asked for.
 Result<std::string> Told(const Options& options, const Side& left, const Side& right,
                          const KbDiffResult& difference) {
   const RunDiff runs = DiffRuns({left.run, left.at}, {right.run, right.at});
   if (options.format == "html") {
-    return BuildDiffPage({left.run, left.at, options.left}, {right.run, right.at, options.right}, difference,
+    const DiffNames names = PageNames(options);
+    return BuildDiffPage({left.run, left.at, names.left}, {right.run, right.at, names.right}, difference,
                          runs);
   }
   const DiffReport report{difference, {options.left, options.right}, runs};
