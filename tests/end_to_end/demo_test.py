@@ -219,14 +219,6 @@ class Sameness(EndToEndTest):
         self.run_program("run", DEMO, "-o", other, "--seed", "2")
         self.assertFalse(other.read_bytes() == demo_episode().read_bytes())
 
-    def test_two_reports_have_the_same_bytes(self):
-        film = CHEAP_FILM if call("doctor").out.count("\nok    frames") else ["--no-frames"]
-        for name, episode in (("a", demo_episode()), ("b", second_demo_episode())):
-            self.run_program("report", episode, "-o", f"{name}.html", "--png", f"{name}.png", *film)
-        for suffix in ("html", "png"):
-            bytes_of = [(self.folder / f"{name}.{suffix}").read_bytes() for name in "ab"]
-            self.assertTrue(bytes_of[0] == bytes_of[1], f"the two {suffix} files differ")
-
 
 class DemoCommand(EndToEndTest):
     def test_demo_says_where_its_three_files_are(self):

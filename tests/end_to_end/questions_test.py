@@ -247,14 +247,6 @@ class View(EndToEndTest):
         width, height = png_size(self.view("figure3.png", "--what", "analogy", "--scale", "1", "--dark"))
         self.assertEqual((f'width="{width}"' in figure, f'height="{height}"' in figure), (True, True))
 
-    def test_every_view_is_drawn(self):
-        of = {"why": ["--of", "mdl_204"], "led-to": ["--of", "#1"]}
-        for what in ("graph", "analogy", "why", "led-to", "curves", "lanes", "goals"):
-            with self.subTest(what=what):
-                self.assertIn(b"<svg", self.view("v.svg", "--what", what, *of.get(what, [])))
-        if draws():
-            self.assertIn(b"data:image/png", self.view("v.svg", "--what", "moment", "--at", "9s"))
-
     def test_what_cannot_be_drawn_is_refused(self):
         for more, says in ((["--what", "graf"], "graf"), (["--what", "why"], "--of"),
                            (["--what", "graph", "--of", "mdl_99999"], "mdl_99999"),

@@ -20,7 +20,7 @@ from pathlib import Path
 import support
 
 TOPICS = ["demo_test", "trials_test", "killed_run_test", "bad_input_test", "comparison_test", "questions_test",
-          "scenarios_test", "hostile_test"]
+          "scenarios_test", "sameness_test", "hostile_test"]
 
 
 class CountedResult(unittest.TextTestResult):
