@@ -162,6 +162,8 @@ class BadEpisode(EndToEndTest):
                 self.assert_refused(*command[:place], "bad.episode", *command[place:], says=["bad.episode", *says])
         with self.subTest(command="diff"):
             self.assert_refused("diff", scripted_episode(), "bad.episode", says=["bad.episode", *says])
+            self.assert_refused("diff", "bad.episode", scripted_episode(), "--format", "html", "-o", "d.html",
+                                says=["bad.episode", *says])
 
     def changed_copy(self, statement):
         shutil.copy(scripted_episode(), self.folder / "bad.episode")
@@ -217,6 +219,9 @@ class BadEpisode(EndToEndTest):
                 self.assertIn(outcome.status, (0, 1, 2), outcome)
                 if outcome.status == 2:
                     self.assert_one_sentence(outcome.err, ["bad.episode"])
+                compared = call("diff", self.folder / "bad.episode", scripted_episode(), "--format", "html", "-o",
+                                self.folder / "d.html")
+                self.assertIn(compared.status, (0, 1, 2), compared)
 
 
 class BadOutput(EndToEndTest):
@@ -229,7 +234,8 @@ class BadOutput(EndToEndTest):
                 ["frame", demo_episode(), "--size", "64x48", "-o", where],
                 ["view", scripted_episode(), "--what", "lanes", "-o", where],
                 ["export", scripted_episode(), "--format", "json", "-o", where],
-                ["diff", scripted_episode(), scripted_episode(), "-o", where]]
+                ["diff", scripted_episode(), scripted_episode(), "-o", where],
+                ["diff", scripted_episode(), scripted_episode(), "--format", "html", "-o", where]]
 
     def test_a_missing_folder(self):
         for command in self.writers("missing/out"):

@@ -122,6 +122,59 @@ class HostileTextTest(support.EndToEndTest):
                 sheet = (self.folder / "sheet.png").read_bytes()
                 self.assertTrue(sheet.startswith(b"\x89PNG\r\n\x1a\n") and b"IEND" in sheet[-12:])
 
+    def draw(self, episode, what, name, *more):
+        """A view as SVG, which must be well-formed, and as PNG; the text of the SVG."""
+        for form in ("svg", "png"):
+            outcome = support.call("view", episode, "--what", what, *more, "--scale", "0.5", "-o", f"{name}.{form}",
+                                   cwd=self.folder)
+            self.assertEqual(outcome.status, 0, outcome)
+        picture = (self.folder / f"{name}.png").read_bytes()
+        self.assertTrue(picture.startswith(b"\x89PNG\r\n\x1a\n") and b"IEND" in picture[-12:])
+        root = xml.parse(self.folder / f"{name}.svg").getroot()
+        # Only what draws: nothing that runs, loads or leads somewhere.
+        kinds = {node.tag.rsplit("}", 1)[-1] for node in root.iter()}
+        self.assertLessEqual(kinds, {"svg", "g", "rect", "path", "line", "circle", "text", "tspan", "title", "style", "defs",
+                                     "marker", "polygon", "polyline", "image", "clipPath", "ellipse", "desc"})
+        for node in root.iter():
+            for attribute, value in node.attrib.items():
+                self.assertNotRegex(attribute, r"(?i)^on")
+                if attribute.endswith("href"):
+                    self.assertRegex(value, r"^(#|data:image/)")
+        shown = "".join(root.itertext())
+        self.assertIsNone(UNPRINTABLE.search(shown.replace("\t", "")), what)
+        return shown
+
+    def test_every_view_is_well_formed_and_shows_texts_as_texts(self):
+        told = ""
+        for name in [*SHORT, "no_numbers", "endless"]:
+            episode = episodes() / f"{name}.episode"
+            made = support.events(episode, "ModelCreated")
+            for what, more in (("graph", []), ("analogy", []), ("curves", []), ("lanes", []), ("goals", []),
+                               ("why", ["--of", f"#{made[-1]['id']}"]), ("led-to", ["--of", "#1"])):
+                with self.subTest(episode=name, what=what):
+                    told += self.draw(episode, what, f"{name}_{what}", *more)
+                    self.assertLess((self.folder / f"{name}_{what}.svg").stat().st_size, 3_000_000)
+        for text in ("<script>window.pwned=1", "onerror=window.pwned=3", "<!-- not closed", "__proto__", "&lt;b&gt;"):
+            self.assertIn(text, told)
+        if shutil.which("xmllint"):
+            drawn = sorted(self.folder.glob("*.svg"))
+            done = subprocess.run(["xmllint", "--noout", "--nonet", *drawn], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_the_page_of_a_difference_holds_texts_as_data(self):
+        pairs = [("hostile_0", "hostile_1"), ("hostile_2@3s", "hostile_2"), ("no_numbers", "hostile_3"),
+                 ("endless", "hostile_4")]
+        for left, right in pairs:
+            with self.subTest(left=left, right=right):
+                sides = [str(episodes() / one.replace("@", ".episode@")) if "@" in one else episodes() / f"{one}.episode"
+                         for one in (left, right)]
+                self.output("diff", *sides, "--format", "html", "-o", "page.html", statuses=(1,))
+                page = (self.folder / "page.html").read_text(encoding="utf-8")
+                self.assertTrue(page.rstrip().endswith("</html>"))
+                self.assertNotIn("pwned", page)
+                self.assertLess(len(page), 1_000_000)
+                self.assertTrue(support.packed_data(page, "diff-data")["items"])
+
     def test_a_megabyte_of_text_is_told_shortened(self):
         episode = episodes() / "endless.episode"
         self.output("report", episode, "-o", "page.html")
@@ -137,6 +190,8 @@ class HostileTextTest(support.EndToEndTest):
         self.output("report", name, "-o", "page.html")
         page = (self.folder / "page.html").read_text(encoding="utf-8")
         self.assertNotIn("onerror=\"window.pwned=1\"", page)
+        self.output("diff", name, episodes() / "hostile_1.episode", "--format", "html", "-o", "diff.html", statuses=(1,))
+        self.assertNotIn("onerror=\"window.pwned=1\"", (self.folder / "diff.html").read_text(encoding="utf-8"))
         self.output("kb", name + "_not_there", statuses=(2,))
 
 
