@@ -1,6 +1,7 @@
-// Takes the pictures of the report that the documentation shows: take_pictures.cjs DEMO.html FAILURE.html FOLDER
+// Takes the pictures of the report that the documentation shows: take_pictures.cjs DEMO.html FAILURE.html DIFF.html FOLDER
 //   DEMO.html     the report of `aerascope demo`
 //   FAILURE.html  the report of assets/scenarios/size_pruned_first_scripted.toml
+//   DIFF.html     the difference of that scenario's run and of pick_and_place_scripted.toml's
 //   FOLDER        where they go, as small WebP files
 // Run it through NODE_PATH=(the node_modules that tests/browser/run has fetched); look at what it made before it is kept.
 "use strict";
@@ -8,7 +9,7 @@ const fs = require("node:fs");
 const path = require("node:path");
 const { chromium } = require("playwright-core");
 
-const [demo, failure, folder] = process.argv.slice(2);
+const [demo, failure, diff, folder] = process.argv.slice(2);
 const PICTURES = [
   { name: "overview", report: demo, t: 9, view: "overview", sel: "analogy" },
   { name: "knowledge", report: demo, t: 9, view: "knowledge", sel: "analogy" },
@@ -18,6 +19,7 @@ const PICTURES = [
   { name: "failure", report: failure, t: 0.9, view: "overview", sel: "failed" },
   { name: "vetoes", report: failure, t: 1.2, view: "knowledge", sel: "veto" },
   { name: "narrow", report: demo, t: 9, view: "overview", sel: "analogy", width: 400, height: 860, scale: 1 },
+  { name: "diff", report: diff, hash: "#" },
 ];
 
 // The id of what a picture is about, found by what it is.
@@ -30,17 +32,20 @@ const findSubject = (page, wanted) => page.evaluate((what) => {
 
 (async () => {
   const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || "/usr/bin/chromium", args: ["--no-sandbox"] });
-  for (const { name, report, t, view, sel, theme, width = 1440, height = 900, scale = 2 / 3 } of PICTURES) {
+  for (const { name, report, hash: address, t, view, sel, theme, width = 1440, height = 900, scale = 2 / 3 } of PICTURES) {
     const open = async (hash) => {
       const opened = await browser.newPage({ viewport: { width, height }, reducedMotion: "reduce" });
       await opened.goto("file://" + path.resolve(report) + hash);
       await opened.waitForFunction(() => document.documentElement.dataset.ready === "true", null, { polling: 100 });
       return opened;
     };
-    const first = await open("#view=knowledge&t=" + t);
-    const id = await findSubject(first, sel);
-    await first.close();
-    const page = await open(`#view=${view}&t=${t}&sel=${encodeURIComponent(id)}` + (theme ? "&th=" + theme : ""));
+    let id = "";
+    if (!address) {
+      const first = await open("#view=knowledge&t=" + t);
+      id = await findSubject(first, sel);
+      await first.close();
+    }
+    const page = await open(address || `#view=${view}&t=${t}&sel=${encodeURIComponent(id)}` + (theme ? "&th=" + theme : ""));
     await page.waitForTimeout(1500);
     const shot = (await page.screenshot()).toString("base64");
     // A page of its own makes the small picture; the report's policy would not let it.

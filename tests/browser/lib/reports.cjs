@@ -13,8 +13,12 @@ const scenarios = fs.readdirSync(path.join(folder, "scenarios"))
 // Of episodes whose texts are hostile, endless, or whose numbers are none (tests/support/hostile_texts.h).
 const hostile = fs.readdirSync(path.join(folder, "hostile"))
   .filter((name) => name.endsWith(".html")).map((name) => "hostile/" + name.slice(0, -5)).sort();
+// Pages of differences, those with hostile texts apart.
+const pages = fs.readdirSync(path.join(folder, "diffs")).filter((name) => name.endsWith(".html")).map((name) => "diffs/" + name.slice(0, -5)).sort();
+const diffs = pages.filter((name) => !name.includes("hostile"));
+const hostileDiffs = pages.filter((name) => name.includes("hostile"));
 const demo = "scenarios/pick_and_place";
 
 const fileOf = (name) => path.join(folder, name + ".html");
 
-module.exports = { demo, fileOf, fixtures, folder, hostile, scenarios };
+module.exports = { demo, diffs, fileOf, fixtures, folder, hostile, hostileDiffs, scenarios };
