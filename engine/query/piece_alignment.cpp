@@ -404,6 +404,24 @@ std::string_view NameOf(PartStatus status) {
   return {};
 }
 
+std::string_view NameOf(PieceRelation relation) {
+  switch (relation) {
+    case PieceRelation::kSame:
+      return "same";
+    case PieceRelation::kOtherValues:
+      return "other_values";
+    case PieceRelation::kGeneralised:
+      return "generalised";
+    case PieceRelation::kSpecialised:
+      return "specialised";
+    case PieceRelation::kOverlapping:
+      return "overlapping";
+    case PieceRelation::kUnrelated:
+      return "unrelated";
+  }
+  return {};
+}
+
 PieceForm FormOf(const KnowledgeBase& knowledge, const CompositeStateRecord& record) {
   FormMaker maker(knowledge, record.canonical.hash);
   for (const FactPattern& component : InCanonicalOrder(record).components)

@@ -63,6 +63,7 @@ enum class PieceRelation {
   kUnrelated,    // other commands or effects, or nothing in common
 };
 PieceRelation Exchanged(PieceRelation relation);
+std::string_view NameOf(PieceRelation relation);  // "same", "other_values", "generalised" ...
 
 struct Alignment {
   PieceRelation relation = PieceRelation::kUnrelated;

@@ -121,27 +121,9 @@ Json JsonOf(const AlignedRow& row) {
           {"right", or_null(row.right)}};
 }
 
-std::string_view NameOf(PieceRelation relation) {
-  switch (relation) {
-    case PieceRelation::kSame:
-      return "same";
-    case PieceRelation::kOtherValues:
-      return "other_values";
-    case PieceRelation::kGeneralised:
-      return "generalised";
-    case PieceRelation::kSpecialised:
-      return "specialised";
-    case PieceRelation::kOverlapping:
-      return "overlapping";
-    case PieceRelation::kUnrelated:
-      return "unrelated";
-  }
-  return {};
-}
-
 Json JsonOf(const KbDiffItem& item, const DiffNames& names) {
-  Json json = {{"change", aerascope::NameOf(item.change)},
-               {"kind", aerascope::NameOf(item.kind)},
+  Json json = {{"change", NameOf(item.change)},
+               {"kind", NameOf(item.kind)},
                {"title", item.title},
                {"content", ToText(item.content)},
                {"sentence", SentenceOf(item, names.left, names.right)},
@@ -237,8 +219,7 @@ Status WriteDiffMarkdown(const DiffReport& report, std::ostream& out) {
     if (file.lines.hidden > 0) out << "- and " << file.lines.hidden << " more\n";
   }
   for (const KbDiffItem& item : report.knowledge.items) {
-    out << "\n## " << MarkdownText(aerascope::NameOf(item.change)) << ": " << MarkdownText(item.title)
-        << "\n\n"
+    out << "\n## " << MarkdownText(NameOf(item.change)) << ": " << MarkdownText(item.title) << "\n\n"
         << MarkdownText(SentenceOf(item, safe.left, safe.right)) << "\n\n";
     for (const std::string& line : PartsOf(item)) out << "- " << MarkdownText(line) << "\n";
   }
@@ -252,8 +233,7 @@ Status WriteDiffJson(const DiffReport& report, std::ostream& out) {
                {"version", 2},
                {"left", report.names.left},
                {"right", report.names.right}};
-  for (const KbChange change : kKbChanges)
-    json[std::string(aerascope::NameOf(change))] = difference.Count(change);
+  for (const KbChange change : kKbChanges) json[std::string(NameOf(change))] = difference.Count(change);
   json["same"] = difference.same.size();
   json["runs"] = JsonOf(report.runs);
   json["items"] = Json::array();
@@ -261,7 +241,7 @@ Status WriteDiffJson(const DiffReport& report, std::ostream& out) {
   // Only how each side calls what is the same.
   json["same_items"] = Json::array();
   for (const KbDiffItem& item : difference.same)
-    json["same_items"].push_back({{"kind", aerascope::NameOf(item.kind)},
+    json["same_items"].push_back({{"kind", NameOf(item.kind)},
                                   {"title", item.title},
                                   {"left", item.left->id},
                                   {"right", item.right->id}});

@@ -85,6 +85,9 @@ test("pieces that differ by a condition are paired, condition beside condition, 
   // What only one has stands beside its nearest relative.
   await page.locator("#list .piece", { hasText: "more general than \u201cgrab_type_1 a small cube\u201d of A" }).click();
   assert.match(await detail(page), /A does not have it\. Nearest:\s+grab_type_1 a small cube/);
+  // And leads there.
+  await page.locator("#detail .beside thead button", { hasText: "grab_type_1 a small cube" }).click();
+  assert.match(await detail(page), /^the same\s+requirement model\s+grab_type_1 a small cube/);
   await close();
 });
 

@@ -10,7 +10,6 @@ class DiffPage {
     this.items = [...data.items].sort((a, b) => order.get(kindOf(a)) - order.get(kindOf(b)));
     this.all = [...this.items, ...data.same];
     this.byKey = new Map(this.all.map((item) => [item.key, item]));
-    // What somebody selects by its content on the other side of a pair, or by what is nearest to it, is there too.
     this.words = new Map(this.all.map((item) => [item, wordsOf(item)]));
     this.kind = "";
     this.query = "";
@@ -88,7 +87,10 @@ class DiffPage {
       if (this.chosen && node.dataset.key === this.chosen.key) node.setAttribute("aria-current", "true");
       else node.removeAttribute("aria-current");
     }
-    showDetail($("detail"), this.chosen, this.data);
+    showDetail($("detail"), this.chosen, this.data, (key) => {
+      const other = this.byKey.get(key);
+      return other ? () => this.choose(other) : null;
+    });
   }
 
   // ---- at a glance

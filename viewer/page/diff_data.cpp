@@ -1,5 +1,6 @@
 #include "viewer/page/diff_data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -8,7 +9,6 @@
 #include "engine/query/describe.h"
 #include "engine/query/model_history.h"
 #include "viewer/page/provenance.h"
-#include "viewer/page/report_context.h"
 #include "viewer/page/shortened.h"
 
 namespace aerascope {
@@ -17,8 +17,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kLongestTitle = 300;
-// Of a curve that is drawn a few hundred pixels wide.
+// Of a curve that is drawn a few hundred pixels wide; fewer where there are very many models.
 constexpr std::size_t kMostSteps = 240;
+constexpr std::size_t kMostStepsOfAll = 60'000;
 
 std::string Title(const std::string& text) {
   return Shortened(Printable(text), kLongestTitle);
@@ -33,12 +34,15 @@ json Number(double value) {
 class Curves {
  public:
   explicit Curves(const DiffPageSide& side) {
-    for (const ModelHistory& history : Histories(side.run)) {
+    const std::vector<ModelHistory> histories = Histories(side.run);
+    const std::size_t most =
+        std::clamp<std::size_t>(kMostStepsOfAll / (histories.size() + 1), 12, kMostSteps);
+    for (const ModelHistory& history : histories) {
       json steps = json::array();
       std::vector<const ConfidenceStep*> shown;
       for (const ConfidenceStep& step : history.steps)
         if (step.time <= side.at) shown.push_back(&step);
-      const std::size_t stride = shown.size() / kMostSteps + 1;
+      const std::size_t stride = shown.size() / most + 1;
       for (std::size_t i = 0; i < shown.size(); ++i) {
         if (i % stride == 0 || i + 1 == shown.size())
           steps.push_back({shown[i]->time.us, Number(shown[i]->evidence.rate())});
@@ -73,7 +77,6 @@ json PieceData(const std::optional<KbDiffSide>& side, ModelGraphNodeKind kind, c
                {"state", side->state},
                {"target", side->target},
                {"copies", side->copies},
-               {"origin", MarkOf(side->origin)},
                {"how", EnumName(side->origin)},
                {"from", side->derived_from}};
   if (kind == ModelGraphNodeKind::kCompositeState) return data;
@@ -84,21 +87,6 @@ json PieceData(const std::optional<KbDiffSide>& side, ModelGraphNodeKind kind, c
   data["model_state"] = EnumName(side->model_state);
   data["curve"] = curves.Of(side->id);
   return data;
-}
-
-std::string_view NameOf(PieceRelation relation) {
-  switch (relation) {
-    case PieceRelation::kGeneralised:
-      return "generalised";
-    case PieceRelation::kSpecialised:
-      return "specialised";
-    case PieceRelation::kSame:
-    case PieceRelation::kOtherValues:
-    case PieceRelation::kOverlapping:
-    case PieceRelation::kUnrelated:
-      return "near";
-  }
-  return {};
 }
 
 json ItemData(const KbDiffItem& item, const Curves& left, const Curves& right) {

@@ -1,7 +1,8 @@
 // ---- diff_detail.js: one piece of knowledge, side by side.
 
 // How the chosen piece reads in each run, how sure each was, and where it came from.
-function showDetail(pane, item, data) {
+// `open(key)` makes a button's action of choosing another piece, nothing where there is no such piece.
+function showDetail(pane, item, data, open) {
   pane.replaceChildren();
   if (!item) {
     pane.append(el("h2", { text: "How does it read in each?" }),
@@ -13,7 +14,7 @@ function showDetail(pane, item, data) {
     el("p", { class: "kind-line " + kind }, mark(signOf(item)), el("b", { text: KIND_WORDS.get(kind) }), NODE_WORDS[item.kind]),
     el("h2", { class: "name", text: titleOf(item) }),
     el("p", { class: "say" }, ...(item.say ? sentence(item.say.replace(/"([^"]*)"/g, "\u201c$1\u201d")) : ["Both have it, equal in what it says, in evidence and in origin."])),
-    besideTable(item), ...guardsFold(item));
+    besideTable(item, open), ...guardsFold(item));
   if (item.kind !== "composite_state") {
     pane.append(factsTable(item));
     const curves = curvesPicture(item, data);
@@ -22,23 +23,25 @@ function showDetail(pane, item, data) {
 }
 
 // What stands above a column: how that side calls the piece, or what is nearest to it there.
-function sideHead(name, side, near) {
+function sideHead(name, side, near, open) {
   if (side) {
     return el("th", { scope: "col" }, letter(name), " ", el("b", { text: side.title }),
       el("span", { class: "ids" }, side.id + (side.state ? " on " + side.state : "") + (side.target ? ", of " + side.target : "")));
   }
   if (near) {
-    return el("th", { scope: "col" }, letter(name), " does not have it. Nearest: ", el("b", { text: near.title }),
+    const click = open(near.key);
+    return el("th", { scope: "col" }, letter(name), " does not have it. Nearest: ",
+      click ? el("button", { type: "button", class: "link", on: { click } }, el("b", { text: near.title })) : el("b", { text: near.title }),
       el("span", { class: "ids", text: near.id }));
   }
   return el("th", { scope: "col" }, letter(name), " has nothing like it");
 }
 
-function besideTable(item) {
+function besideTable(item, open) {
   const rows = item.rows.filter((row) => row[0] !== "guard" || shownGuard(item, row));
   return el("table", { class: "beside" },
     el("caption", { class: "unseen", text: "The piece part by part, A beside B" }),
-    el("thead", {}, el("tr", {}, sideHead("A", item.left, item.near), sideHead("B", item.right, item.near))),
+    el("thead", {}, el("tr", {}, sideHead("A", item.left, item.near, open), sideHead("B", item.right, item.near, open))),
     el("tbody", {}, ...rows.map((row) => besideRow(row, item))));
 }
 function besideRow([role, status, left, right, variables], item) {

@@ -67,8 +67,8 @@ function whyOf(item) {
       if (!near) return item.kind.endsWith("requirement_model") ? "if " + quoted(item.rows.filter((row) => row[0] === "condition").map((row) => row[2] || row[3])) : "";
       const here = left ? "A" : "B", there = left ? "B" : "A";
       const own = left ? gone : more, other = left ? more : gone;
+      if (near.right_is !== "generalised" && near.right_is !== "specialised") return `nearest in ${there}: ${near.title}`;
       const general = (near.right_is === "generalised") === Boolean(right);
-      if (near.right_is === "near") return `nearest in ${there}: ${near.title}`;
       return general ? `more general than \u201c${near.title}\u201d of ${there}: without ${quoted(other)}`
         : `more specific than \u201c${near.title}\u201d of ${there}: ${here} also asks for ${quoted(own)}`;
     }

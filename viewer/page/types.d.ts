@@ -43,7 +43,7 @@ interface Document {
 
 // The block "diff-data" of the page of a difference. Made by diff_data.cpp.
 interface DiffPiece {
-  id: string; title: string; state: string; target: string; copies: number; origin: string; how: string; from: string;
+  id: string; title: string; state: string; target: string; copies: number; how: string; from: string;
   sure?: number | null; positive?: number | null; total?: number | null; strong?: boolean; model_state?: string; curve?: [Time, number | null][];
 }
 interface DiffItem {
