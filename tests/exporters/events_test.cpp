@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/engine/event/any_event.h"
+#include "tests/support/any_event.h"
 #include "tests/support/paper_episode.h"
 
 namespace aerascope {

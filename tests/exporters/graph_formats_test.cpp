@@ -18,7 +18,7 @@
 #include "exporters/graphml/graphml.h"
 #include "exporters/json/json.h"
 #include "exporters/replicode/replicode.h"
-#include "tests/engine/event/any_event.h"
+#include "tests/support/any_event.h"
 #include "tests/support/knowledge_edits.h"
 #include "tests/support/paper_episode.h"
 

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "tests/engine/event/any_event.h"
+#include "tests/support/any_event.h"
 #include "tests/support/knowledge_edits.h"
 #include "tests/support/paper_episode.h"
 

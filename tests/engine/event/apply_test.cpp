@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/kb/build_terms.h"
+#include "tests/support/any_event.h"
 #include "tests/support/knowledge_edits.h"
 
 namespace aerascope {

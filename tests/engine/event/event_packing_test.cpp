@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/kb/build_terms.h"
+#include "tests/support/any_event.h"
 #include "tests/support/law.h"
 
 namespace aerascope {

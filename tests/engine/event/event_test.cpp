@@ -7,8 +7,8 @@
 
 #include <set>
 
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/kb/build_terms.h"
+#include "tests/support/any_event.h"
 
 namespace aerascope {
 namespace {

@@ -5,7 +5,7 @@
 #include <rapidcheck.h>
 
 #include "engine/event/apply.h"
-#include "tests/engine/event/any_event.h"
+#include "tests/support/any_event.h"
 
 namespace aerascope {
 namespace {

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "engine/kb/knowledge_base.h"
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/kb/build_terms.h"
+#include "tests/support/any_event.h"
 #include "tests/support/any_knowledge.h"
 #include "tests/support/knowledge_edits.h"
 #include "tests/support/law.h"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/kb/build_terms.h"
+#include "tests/support/any_event.h"
 
 namespace aerascope {
 namespace {

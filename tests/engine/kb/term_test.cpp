@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "engine/kb/term_codec.h"
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/kb/build_terms.h"
+#include "tests/support/any_event.h"
 
 namespace aerascope {
 namespace {

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/kb/build_terms.h"
+#include "tests/support/any_event.h"
 #include "tests/support/paper_episode.h"
 
 namespace aerascope {

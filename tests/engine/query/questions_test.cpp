@@ -8,7 +8,7 @@
 #include "engine/query/model_graph.h"
 #include "engine/query/model_history.h"
 #include "engine/query/why.h"
-#include "tests/engine/event/any_event.h"
+#include "tests/support/any_event.h"
 #include "tests/support/paper_episode.h"
 
 namespace aerascope {

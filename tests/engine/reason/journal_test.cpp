@@ -7,8 +7,8 @@
 
 #include <map>
 
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/reason/pick_and_place.h"
+#include "tests/support/any_event.h"
 
 namespace aerascope {
 namespace {

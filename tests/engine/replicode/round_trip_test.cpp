@@ -14,7 +14,7 @@
 #include "engine/kb/term_codec.h"
 #include "engine/replicode/reader.h"
 #include "engine/replicode/writer.h"
-#include "tests/engine/event/any_event.h"
+#include "tests/support/any_event.h"
 #include "tests/support/any_knowledge.h"
 #include "tests/support/law.h"
 

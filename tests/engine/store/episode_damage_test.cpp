@@ -12,7 +12,7 @@
 
 #include "engine/store/episode_reader.h"
 #include "engine/store/episode_writer.h"
-#include "tests/engine/event/any_event.h"
+#include "tests/support/any_event.h"
 #include "tests/engine/store/temporary_folder.h"
 
 namespace aerascope {

@@ -5,8 +5,8 @@
 
 #include "engine/store/episode_reader.h"
 #include "engine/store/episode_writer.h"
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/store/temporary_folder.h"
+#include "tests/support/any_event.h"
 
 namespace aerascope {
 namespace {

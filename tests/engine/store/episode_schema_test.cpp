@@ -11,8 +11,8 @@
 #include "engine/event/event.h"
 #include "engine/store/episode_header.h"
 #include "engine/store/episode_writer.h"
-#include "tests/engine/event/any_event.h"
 #include "tests/engine/store/temporary_folder.h"
+#include "tests/support/any_event.h"
 
 namespace aerascope {
 namespace {
