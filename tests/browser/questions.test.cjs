@@ -9,7 +9,7 @@ const { readQuestions } = require("./lib/questions.cjs");
 
 const open = useBrowser();
 const questions = readQuestions(fs.readFileSync(path.join(__dirname, "../../docs/questions.md"), "utf8"));
-const PATIENCE = Number(process.env.PATIENCE || 20000);
+const PATIENCE = Number(process.env.PATIENCE || 20000 * (process.env.AERASCOPE_SLOWNESS || 1));
 
 // Runs in the page. Finds what can be clicked, or any element, that says `text`, and where it is: in sight if nothing
 // covers its middle and no edge cuts it off. The whole text first, then a part of it.

@@ -22,7 +22,7 @@ SCRIPTED = SCENARIOS / "pick_and_place_scripted.toml"
 WRONG_GRASP = SCENARIOS / "wrong_grasp.toml"
 
 # A program that takes longer hangs. Sanitizers and busy machines are slow, so this is generous.
-PATIENCE_S = 180
+PATIENCE_S = 180 * int(os.environ.get("AERASCOPE_SLOWNESS", 1))
 
 # Small pictures, few of them: what is tested does not depend on it.
 CHEAP_FILM = ["--stills-per-second", "1", "--size", "320x180"]

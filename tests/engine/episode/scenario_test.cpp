@@ -12,6 +12,7 @@
 #include <string>
 
 #include "engine/world/mujoco_world.h"
+#include "tests/support/slowness.h"
 
 namespace aerascope {
 namespace {
@@ -465,7 +466,7 @@ TEST(ScenarioErrors, RandomlyDamagedScenariosAreAnswered) {
   std::mt19937 random(7);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   int refused = 0;
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < CasesToTry(3000); ++round) {
     std::string text = good;
     for (std::size_t i = 0; i <= below(3); ++i) {
       const std::size_t at = below(text.size());
@@ -487,7 +488,7 @@ TEST(ScenarioErrors, RandomlyDamagedScenariosAreAnswered) {
     ++refused;
     EXPECT_THAT(scenario.error().message, StartsWith("scenario.toml:"));
   }
-  EXPECT_GT(refused, 500);
+  EXPECT_GT(refused, CasesToTry(500));
   EXPECT_THAT(Load("a = " + std::string(100'000, '[')).error().message, StartsWith("scenario.toml:1:"));
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "tests/engine/reason/agent.h"
+#include "tests/support/slowness.h"
 
 namespace aerascope {
 namespace {
@@ -83,7 +84,7 @@ Life::Life(unsigned seed, bool shuffled)
 
 TEST(LearningLaws, TheOrderOfSimultaneousFactsPlaysNoPart) {
   // Own.
-  for (unsigned seed = 0; seed < 2000; ++seed) {
+  for (unsigned seed = 0; seed < static_cast<unsigned>(CasesToTry(2000)); ++seed) {
     const Life plain(seed, false);
     const Life shuffled(seed, true);
     ASSERT_EQ(WhatWasLearned(plain.agent), WhatWasLearned(shuffled.agent)) << "life " << seed;

@@ -10,6 +10,7 @@
 #include "engine/replicode/reader.h"
 #include "engine/replicode/syntax.h"
 #include "engine/replicode/writer.h"
+#include "tests/support/slowness.h"
 
 namespace aerascope {
 namespace {
@@ -135,7 +136,7 @@ R:(mdl [] []
   std::mt19937 random(20240607);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   int read = 0;
-  for (int round = 0; round < 6'000; ++round) {
+  for (int round = 0; round < CasesToTry(6'000); ++round) {
     std::string text(kSeed);
     const std::size_t damages = 1 + below(4);
     for (std::size_t i = 0; i < damages; ++i) {
@@ -169,7 +170,7 @@ R:(mdl [] []
       ASSERT_TRUE(back.ok()) << back.error().message << "\n" << *written;
     }
   }
-  EXPECT_GT(read, 100) << "the damage is so heavy that nothing was tested";
+  EXPECT_GT(read, CasesToTry(100)) << "the damage is so heavy that nothing was tested";
 }
 
 }  // namespace

@@ -12,8 +12,9 @@
 
 #include "engine/store/episode_reader.h"
 #include "engine/store/episode_writer.h"
-#include "tests/support/any_event.h"
 #include "tests/engine/store/temporary_folder.h"
+#include "tests/support/any_event.h"
+#include "tests/support/slowness.h"
 
 namespace aerascope {
 namespace {
@@ -150,7 +151,7 @@ TEST(DamagedEpisode, CutOffAnywhereIsRefused) {
   const std::string bytes = FileBytes(folder / "whole");
   std::mt19937_64 random(1);
   std::vector<std::size_t> sizes{0, 1, 15, 16, 50, 99, 100, 101, 512, 8191, 8192, 8193, bytes.size() - 1};
-  for (int i = 0; i < 100; ++i) sizes.push_back(random() % bytes.size());
+  for (int i = 0; i < CasesToTry(100); ++i) sizes.push_back(random() % bytes.size());
   for (const std::size_t size : sizes) {
     WriteFile(folder / "cut", bytes.substr(0, size));
     EXPECT_THAT(ErrorOf(folder / "cut"), HasSubstr("cannot read episode")) << size;
@@ -163,7 +164,7 @@ TEST(DamagedEpisode, ChangedBytesNeverCrashTheReader) {
   const std::string bytes = FileBytes(folder / "whole");
   std::mt19937_64 random(2);
   int refused = 0;
-  for (int round = 0; round < 600; ++round) {
+  for (int round = 0; round < CasesToTry(600); ++round) {
     std::string damaged = bytes;
     const int changes = round % 3 == 0 ? 1 : 40;
     for (int i = 0; i < changes; ++i) {
@@ -179,7 +180,7 @@ TEST(DamagedEpisode, ChangedBytesNeverCrashTheReader) {
     }
     (void)ReadEpisodeHeader(folder / "damaged");
   }
-  EXPECT_GT(refused, 200);
+  EXPECT_GT(refused, CasesToTry(200));
 }
 
 TEST(DamagedEpisode, DamagedLogOfAKilledRunIsReadToWhereItIsWhole) {
