@@ -347,6 +347,8 @@ Result<SyntaxNode> SyntaxReader::ReadExpression(int depth) {
   const int column = next_.column;
   if (next_.kind == Token::Kind::kLabel) {
     label = next_.source;
+    // A bar in front denies, as in |fact; a label with one could be read but not written.
+    if (label.starts_with('|')) return ErrorHere("expected a label without a bar in front, " + FoundHere());
     if (Status status = Advance(); !status) return status.error();
     if (next_.kind == Token::Kind::kLabel)
       return ErrorHere("expected one label before an expression, " + FoundHere());

@@ -1,4 +1,5 @@
 // Any bytes: the reader answers, never crashes, and does not take long.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -61,6 +62,12 @@ TEST(HostileInput, ManyConditionsAreRefused) {
   const std::string text = "p:(ont 1)\nS:(cst [] []\n" +
                            Repeated("   (fact (mk.val A: p B: :) T0: T1: : :)\n", 20'000) + "|[] |[])";
   EXPECT_EQ(ErrorOf(text), "t:2:11: expected 1 to 64 conditions in a composite state, found 20000");
+}
+
+// The fuzzer found that a symbol with a bar in front of its name was read, but could not be written.
+TEST(HostileInput, ALabelWithABarInFrontIsRefused) {
+  EXPECT_THAT(ErrorOf("h:(ent 1)\n|release:(ont 1)\n"),
+              testing::StartsWith("t:2:1: expected a label without a bar in front"));
 }
 
 TEST(HostileInput, NumbersOutOfRange) {
