@@ -15,6 +15,8 @@ namespace aerascope {
 namespace {
 
 constexpr std::string_view kTitle = "aerascope knowledge snapshot, version 1";
+constexpr std::string_view kTitleOfAnyVersion = "aerascope knowledge snapshot, version ";
+static_assert(kTitle.starts_with(kTitleOfAnyVersion));
 constexpr std::string_view kEvidenceYes = "evidence: yes";
 constexpr std::string_view kEvidenceNo = "evidence: no";
 constexpr std::size_t kHashDigits = 16;
@@ -277,7 +279,7 @@ Result<Snapshot> Read(std::string_view text, const std::string& name) {
   const std::string_view title = TakeLine(&text);
   if (title != kTitle) {
     return fail(1, "expected \"" + std::string(kTitle) + "\", found \"" + Printable(title.substr(0, 60)) +
-                       "\"; accept the knowledge again to make this file anew");
+                       "\"; name a file that `aerascope snapshot accept` made");
   }
   const std::string_view evidence = TakeLine(&text);
   if (evidence != kEvidenceYes && evidence != kEvidenceNo) {
@@ -395,6 +397,10 @@ Result<SnapshotComparison> CompareSnapshots(std::string_view stored, std::string
                  "\" and is compared with a snapshot made otherwise; make both the same way"};
   }
   return Compare(*expected, *found);
+}
+
+bool IsSnapshot(std::string_view text) {
+  return TakeLine(&text).starts_with(kTitleOfAnyVersion);
 }
 
 Result<bool> SnapshotHasEvidence(std::string_view stored, const std::string& stored_name) {

@@ -37,6 +37,9 @@ struct SnapshotComparison {
 Result<SnapshotComparison> CompareSnapshots(std::string_view stored, std::string_view actual,
                                             const std::string& stored_name);
 
+// Whether a text begins as a snapshot does, of whatever version.
+bool IsSnapshot(std::string_view text);
+
 // Whether a snapshot was made with evidence; fails if the text is no snapshot.
 Result<bool> SnapshotHasEvidence(std::string_view stored, const std::string& stored_name);
 
@@ -45,7 +48,7 @@ Result<bool> SnapshotHasEvidence(std::string_view stored, const std::string& sto
 Result<SnapshotComparison> TestSnapshot(const std::string& path, const KnowledgeBase& knowledge);
 
 // Makes the snapshot of this knowledge the expectation: writes a file beside, then puts it in place. Folders
-// are made.
+// are made. Fails where something stands that is neither a snapshot nor empty, and leaves that as it is.
 Status AcceptSnapshot(const std::string& path, const KnowledgeBase& knowledge,
                       const SnapshotOptions& options = {});
 

@@ -7,6 +7,12 @@
 #include "exporters/snapshot/snapshot.h"
 
 namespace aerascope {
+namespace {
+
+// Of a file, to see whether it begins as a snapshot does.
+constexpr std::size_t kEnoughToTell = 200;
+
+}  // namespace
 
 Result<SnapshotComparison> TestSnapshot(const std::string& path, const KnowledgeBase& knowledge) {
   std::error_code trouble;
@@ -28,6 +34,18 @@ Status AcceptSnapshot(const std::string& path, const KnowledgeBase& knowledge,
   const std::filesystem::path target(path);
   const std::filesystem::path beside = path + ".new";
   std::error_code trouble;
+  if (std::filesystem::is_regular_file(target, trouble)) {
+    std::ifstream file(target, std::ios::binary);
+    std::string beginning(kEnoughToTell, '\0');
+    file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    beginning.resize(static_cast<std::size_t>(file.gcount()));
+    if (!beginning.empty() && !IsSnapshot(beginning)) {
+      return Error{
+          "cannot write " + path +
+          ": expected no file or an earlier snapshot there, found another kind of file; name another one, or "
+          "remove it first"};
+    }
+  }
   if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), trouble);
   {
     std::ofstream file(beside, std::ios::binary | std::ios::trunc);

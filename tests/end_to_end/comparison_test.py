@@ -250,6 +250,16 @@ class Snapshot(EndToEndTest):
         self.accepted(scripted_episode())
         self.run_program("snapshot", "test", scripted_episode(), "k.snapshot", env={"CI": "true"})
 
+    def test_a_file_that_is_no_snapshot_is_not_overwritten(self):
+        # `snapshot accept` took the place of whatever stood there.
+        (self.folder / "thesis.txt").write_text("years of work")
+        self.assert_refused("snapshot", "accept", scripted_episode(), "thesis.txt",
+                            says=["thesis.txt", "another kind of file"])
+        self.assertEqual((self.folder / "thesis.txt").read_text(), "years of work")
+        (self.folder / "k.snapshot").touch()
+        self.accepted(scripted_episode())
+        self.accepted(one_lesson_scripted_episode())
+
     def test_a_missing_or_damaged_snapshot_is_trouble(self):
         self.assert_refused("snapshot", "test", scripted_episode(), "none.snapshot", says=["none.snapshot", "accept"])
         (self.folder / "k.snapshot").write_bytes(bytes(range(256)))

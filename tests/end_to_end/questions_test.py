@@ -251,6 +251,9 @@ class View(EndToEndTest):
         for more, says in ((["--what", "graf"], "graf"), (["--what", "why"], "--of"),
                            (["--what", "graph", "--of", "mdl_99999"], "mdl_99999"),
                            (["--what", "graph", "--of", "#3"], "#3"), (["--what", "analogy", "--of", "mdl_15"], "mdl_15"),
+                           (["--what", "goals", "--of", "mdl_204"], "--of is for graph, analogy"),
+                           (["--what", "lanes", "--at", "1s"], "--at is for graph, moment"),
+                           (["--what", "graph", "--camera", "side"], "--camera is for moment"),
                            (["--what", "graph", "--at", "99s"], "99s"), (["--what", "lanes", "--scale", "0"], "--scale")):
             self.assert_refused("view", demo_episode(), "-o", "v.svg", *more, says=[says])
         self.assert_refused("view", demo_episode(), "-o", "v.pdf", "--what", "lanes", says=["v.pdf", ".svg", ".png"])

@@ -1,10 +1,14 @@
 // aerascope view: one view of an episode as SVG or PNG, for a paper or a review.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "engine/base/text.h"
 #include "engine/query/goal_tree.h"
 #include "engine/query/why.h"
 #include "viewer/app/commands.h"
@@ -62,9 +66,24 @@ Result<std::string> DrawMoment(const Run& run, const Asked& asked, const std::st
   if (!pictures->can_draw()) return Error{pictures->trouble()};
   auto camera = ParseCamera(pictures->model(), camera_text);
   if (!camera) return camera.error();
-  auto frame = pictures->DrawFrame(asked.at.value_or(run.end()), *camera, {1920, 1080});
+  // What is said is what was seen as a frame began.
+  const Time last = run.frames().empty() ? run.end() : run.frames().back().interval.after;
+  auto frame = pictures->DrawFrame(asked.at.value_or(last), *camera, {1920, 1080});
   if (!frame) return frame.error();
   return MomentSvg(run, *frame, asked.theme);
+}
+
+// An option that a view has no use for is a slip, and said so.
+Status HasUseFor(const Options& options) {
+  const auto only = [&](const std::string& given, const std::string& name,
+                        const std::vector<std::string>& views) -> Status {
+    if (given.empty() || std::find(views.begin(), views.end(), options.what) != views.end()) return Ok();
+    return Error{name + " is for " + Join(views, ", ") + "; leave it out with --what " + options.what};
+  };
+  if (Status fine = only(options.of, "--of", {"graph", "analogy", "why", "led-to", "curves"}); !fine)
+    return fine;
+  if (Status fine = only(options.at, "--at", {"graph", "moment"}); !fine) return fine;
+  return only(options.camera, "--camera", {"moment"});
 }
 
 Result<std::string> Draw(const Run& run, const Options& options, const Asked& asked) {
@@ -102,6 +121,7 @@ int MakeView(const Options& options) {
   if (!png && !ending.empty() && ending != ".svg")
     return Fail("the view's file must end in .svg or .png, or be - for SVG on standard output; found " +
                 options.output);
+  if (Status fine = HasUseFor(options); !fine) return Fail(fine.error());
   auto run = OpenRun(options.episode);
   if (!run) return Fail(run.error());
   NoteIncomplete(options.episode, run->complete(), run->events().size());
@@ -141,8 +161,12 @@ void AddViewCommand(CLI::App& app, Chosen* chosen) {
           "was wanted; moment: a picture and its sentence")
       ->required()
       ->check(CLI::IsMember({"graph", "analogy", "why", "led-to", "curves", "lanes", "goals", "moment"}));
-  command->add_option("--of", options->of, "What it is about: mdl_14, cst_12, #214, goal_7, pred_9");
-  command->add_option("--at", options->at, "The moment of graph and moment: 3.2s, 700ms; default: the end");
+  command->add_option(
+      "--of", options->of,
+      "What graph, analogy, why, led-to or curves is about: mdl_14, cst_12, #214, goal_7, pred_9");
+  command->add_option(
+      "--at", options->at,
+      "The moment of graph and moment: 3.2s, 700ms; default: the end, of moment the last frame");
   command->add_option("--camera", options->camera, "Of moment: a camera, as in the report");
   command
       ->add_option("-o,--output", options->output,

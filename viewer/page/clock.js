@@ -121,11 +121,15 @@ class App {
     const { id, title } = this.report.subjects;
     return title[number] + (this.isCalledLikeAnother(number) ? ", " + id[number] : "");
   }
-  // What the variables of the selection stand for now.
-  bindings(subject, t) {
+  // Where the selection is in use: since when, until when, and what its variables stand for.
+  useAt(subject, t) {
     let found = null;
-    for (const use of (subject.detail && subject.detail.uses) || []) if (use[0] <= t && t < use[1]) found = use[2];
+    for (const use of (subject.detail && subject.detail.uses) || []) if (use[0] <= t && t < use[1]) found = use;
     return found;
+  }
+  bindings(subject, t) {
+    const use = this.useAt(subject, t);
+    return use && use[2];
   }
 
   setView(name) {

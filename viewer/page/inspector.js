@@ -61,15 +61,20 @@ function inspectorPane(app) {
         el("span", { class: "lines" + (part.lines.length < 2 ? " one" : "") }, ...part.lines.map((line) => el("span", { class: line.anti ? "anti" : null }, ...conditionLine(line))))));
       if (subject.kind === "requirement" || subject.kind === "model") {
         const now = el("span", {});
-        rows.push(el("div", { class: "now" }, el("span", { class: "label", text: "now" }), now));
-        live.push((t) => showBindings(now, subject, t));
+        const label = el("span", { class: "label" });
+        rows.push(el("div", { class: "now" }, label, now));
+        live.push((t) => showBindings(label, now, subject, t));
       }
       out.push(el("div", { class: "definition" }, ...rows));
     }
     return out.length ? block(...out) : null;
   }
-  function showBindings(node, subject, t) {
-    const bindings = app.bindings(subject, t);
+  function showBindings(label, node, subject, t) {
+    const use = app.useAt(subject, t);
+    const bindings = use && use[2];
+    // What was bound in an earlier frame need not be so now: the outcome is still awaited.
+    const frame = app.frames[frameAt(app.frames, t)];
+    label.textContent = use && use[0] < frame ? "at " + secondsText(use[0]) : "now";
     if (!bindings || !bindings.length) { node.replaceChildren(el("span", { class: "quiet", text: "bound to nothing at this moment" })); return; }
     node.replaceChildren(...bindings.flatMap(([name, value], i) => [i ? ", " : "", el("span", { class: "var", text: name }), " = ", el("b", { text: value })]));
   }
