@@ -3,6 +3,7 @@
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
 const { firstAnalogy, selected, settled, time, useBrowser } = require("./lib/browser.cjs");
+const { demo } = require("./lib/reports.cjs");
 
 const open = useBrowser();
 
@@ -28,10 +29,27 @@ test("a clicked model shows what it says, how sure it is and what it is bound to
   assert.equal(await selected(page), id);
   const inspector = page.locator("#inspector");
   assert.match(await inspector.locator(".big").textContent(), /^0\.88sure at 8 s/);
-  assert.match(await inspector.locator(".definition .now").textContent(), /C = s1/);
+  assert.match(await inspector.locator(".definition .now").textContent(), /^nowH = h, C = s1/);
   assert.equal(await inspector.locator("tr.missed").first().locator("td").last().textContent(), "pruned");
   assert.match(await inspector.locator(".verdict").first().textContent(), /3\/4 = 0\.75, accepted/);
   assert.match(await page.locator("#film .bound .name", { hasText: "s1" }).textContent(), /C = s1/);
+  assert.deepEqual(noise, []);
+  await close();
+});
+
+test("what a model was bound to in an earlier frame is said with its time, not as what is so now", async () => {
+  // The hand was moved at 7 s; at 8 s the move's condition is still bound to where it began.
+  const { page, noise, close } = await open(demo, { hash: "#t=8.06&view=knowledge" });
+  const label = page.locator("#inspector .definition .now .label");
+  const labels = new Set();
+  for (const ring of await page.locator(".graph .item").evaluateAll((items) => [...new Set(items.map((item) => item.dataset.id))])) {
+    await page.evaluate((id) => { location.hash = `#t=8.06&view=knowledge&sel=${id}`; }, ring);
+    await page.waitForFunction((id) => location.hash.includes(id), ring);
+    await settled(page);
+    if (await label.count()) labels.add(await label.textContent());
+  }
+  assert.ok(labels.has("now"), [...labels].join());
+  assert.ok(labels.has("at 7.06 s"), [...labels].join());
   assert.deepEqual(noise, []);
   await close();
 });
