@@ -13,6 +13,40 @@ static_assert(kSlots < kWhole);
 constexpr std::uint64_t kNoSerial = ~std::uint64_t{0};
 constexpr std::size_t kLeastRoom = 4096;
 
+// What a term of a kind is told by, beside its kind. Bytes that are not handed over cost nothing.
+enum class ToldBy { kNothing, kInteger, kNumber, kText, kItems, kTextAndItems };
+constexpr ToldBy HowToTell(TermKind kind) {
+  switch (kind) {
+    case TermKind::kNil:
+    case TermKind::kWildcard:
+      return ToldBy::kNothing;
+    case TermKind::kEntity:
+    case TermKind::kOntology:
+    case TermKind::kString:
+      return ToldBy::kText;
+    case TermKind::kNumber:
+      return ToldBy::kNumber;
+    case TermKind::kTime:
+    case TermKind::kDuration:
+    case TermKind::kBool:
+    case TermKind::kVariable:
+    case TermKind::kCompositeState:
+    case TermKind::kModel:
+      return ToldBy::kInteger;
+    case TermKind::kSet:
+      return ToldBy::kItems;
+    case TermKind::kStruct:
+      return ToldBy::kTextAndItems;
+  }
+  return ToldBy::kNothing;
+}
+constexpr bool HasText(ToldBy told) {
+  return told == ToldBy::kText || told == ToldBy::kTextAndItems;
+}
+constexpr bool HasItems(ToldBy told) {
+  return told == ToldBy::kItems || told == ToldBy::kTextAndItems;
+}
+
 }  // namespace
 
 void PackedBytes::Grow(std::size_t count) {
@@ -49,10 +83,11 @@ void TermPacker::PackWhole(const Term& term, std::size_t slot, PackedBytes* to) 
   to->Put(kWhole);
   to->Put(static_cast<std::uint16_t>(slot));
   to->Put(node.kind);
-  to->Put(node.integer);
-  to->Put(node.number);
-  to->PutText(node.text);
-  to->Put(node.size);
+  const ToldBy told = HowToTell(node.kind);
+  if (told == ToldBy::kInteger) to->Put(node.integer);
+  if (told == ToldBy::kNumber) to->Put(node.number);
+  if (HasText(told)) to->PutText(node.text);
+  if (HasItems(told)) to->Put(node.size);
   // Parts may push each other out; the unpacker has them in hand by then.
   for (const Term& item : term.items()) Pack(item, to);
   slots_[slot] = node.serial;
@@ -64,10 +99,11 @@ Term TermUnpacker::Unpack(PackedReader* from) {
   if (const auto slot = from->Get<std::uint16_t>(); slot != kWhole) return slots_[slot];
   const auto slot = from->Get<std::uint16_t>();
   const auto kind = from->Get<TermKind>();
-  const auto integer = from->Get<std::int64_t>();
-  const auto number = from->Get<double>();
-  const std::string_view text = from->GetText();
-  const auto size = from->Get<std::uint32_t>();
+  const ToldBy told = HowToTell(kind);
+  const auto integer = told == ToldBy::kInteger ? from->Get<std::int64_t>() : 0;
+  const auto number = told == ToldBy::kNumber ? from->Get<double>() : 0;
+  const std::string_view text = HasText(told) ? from->GetText() : std::string_view();
+  const auto size = HasItems(told) ? from->Get<std::uint32_t>() : 0;
   constexpr std::size_t kFew = 8;
   Term few[kFew];
   std::vector<Term> many(size > kFew ? size : 0);
