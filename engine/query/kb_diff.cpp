@@ -398,6 +398,17 @@ bool KbDiffItem::has_aspect(std::string_view aspect) const {
   return std::find(aspects.begin(), aspects.end(), aspect) != aspects.end();
 }
 
+ModelState KbDiffItem::state() const {
+  const ModelState first = left ? left->model_state : right->model_state;
+  return !left || !right || left->model_state == right->model_state ? first : ModelState::kActive;
+}
+
+std::int64_t KbDiffResult::CountGivenUp(KbChange change) const {
+  return std::count_if(items.begin(), items.end(), [&](const KbDiffItem& item) {
+    return item.change == change && item.state() == ModelState::kDeleted;
+  });
+}
+
 std::int64_t KbDiffResult::Count(KbChange change) const {
   return std::count_if(items.begin(), items.end(),
                        [&](const KbDiffItem& item) { return item.change == change; });

@@ -75,6 +75,8 @@ struct KbDiffItem {
   std::vector<std::string> aspects;
 
   bool has_aspect(std::string_view aspect) const;
+  // Of whoever has it; active where two sides differ in it.
+  ModelState state() const;
 };
 
 struct KbDiffResult {
@@ -83,13 +85,17 @@ struct KbDiffResult {
 
   bool empty() const { return items.empty(); }
   std::int64_t Count(KbChange change) const;
+  std::int64_t CountGivenUp(KbChange change) const;  // of these the deleted ones
 };
 
-// Deleted models count as knowledge in state "deleted".
+// Deleted models are pieces, too, in state "deleted": whoever tells of one says that it was given up.
 KbDiffResult DiffKnowledge(const KnowledgeBase& left, const KnowledgeBase& right);
 
 // The same difference seen from the other side.
 KbDiffResult Exchanged(KbDiffResult difference);
+
+// "given up" or "phased out"; empty of what is active.
+std::string_view WordsOf(ModelState state);
 
 // One sentence for an item: "Only the right side knows grab_type_2 something large (mdl_33)."
 std::string SentenceOf(const KbDiffItem& item, const std::string& left_name, const std::string& right_name);

@@ -89,8 +89,11 @@ std::string ContentText(const std::vector<AlignedRow>& rows, bool from_left) {
 std::string AloneText(const KbDiffItem& item, const std::string& left_name, const std::string& right_name) {
   const bool on_left = item.left.has_value();
   const KbDiffSide& side = on_left ? *item.left : *item.right;
-  std::string text = "Only " + (on_left ? left_name : right_name) + " has " +
+  const std::string_view verb = side.model_state == ModelState::kDeleted ? " had " : " has ";
+  std::string text = "Only " + (on_left ? left_name : right_name) + std::string(verb) +
                      std::string(KindWords(item.kind)) + " " + Quoted(side.title) + " (" + IdsOf(side) + ")";
+  if (const std::string_view state = WordsOf(side.model_state); !state.empty())
+    text += ", " + std::string(state);
   if (!item.relative) return text + ".";
   // The relation is told of the right one; of the left one it is the other way round.
   const PieceRelation relation = on_left ? Exchanged(item.relative->relation) : item.relative->relation;
@@ -137,11 +140,25 @@ std::string_view NameOf(KbChange change) {
   return {};
 }
 
+std::string_view WordsOf(ModelState state) {
+  switch (state) {
+    case ModelState::kActive:
+      return {};
+    case ModelState::kPhasedOut:
+      return "phased out";
+    case ModelState::kDeleted:
+      return "given up";
+  }
+  return {};
+}
+
 std::string SentenceOf(const KbDiffItem& item, const std::string& left_name, const std::string& right_name) {
   if (!item.left || !item.right) return AloneText(item, left_name, right_name);
   std::vector<std::string> aspects;
   for (const std::string& aspect : item.aspects)
     aspects.push_back(AspectText(aspect, *item.left, *item.right));
+  if (const std::string_view state = WordsOf(item.state()); !state.empty())
+    aspects.push_back(std::string(state) + " in both");
   const std::string how = Join(aspects, "; ");
   if (item.change != KbChange::kChanged)
     return PairText(item, left_name, right_name) + (how.empty() ? "." : "; " + how + ".");

@@ -33,8 +33,8 @@ class FormMaker {
     for (const Part& part : parts.parts) Add(role, part.positive, part.payload, instances_ + part.instance);
     instances_ += parts.instances + 1;
   }
-  void Add(PartRole role, bool positive, const Term& payload, std::size_t instance = 0) {
-    PieceForm::Part part{role, positive, payload, instance, Compared(payload), {}};
+  void Add(PartRole role, bool positive, const Term& payload, std::size_t instance = 0, bool denied = false) {
+    PieceForm::Part part{role, positive, denied, payload, instance, Compared(payload), {}};
     part.shape = ShapeOf(part);
     form_.parts.push_back(std::move(part));
   }
@@ -102,7 +102,7 @@ PieceForm FormOfRequirement(const KnowledgeBase& knowledge, const ModelRecord& r
                      sides->names.end());
     given = sides->names;
     maker.Add(PartRole::kLeft, sides->lhs_positive, sides->lhs);
-    maker.Add(PartRole::kRight, sides->rhs_positive, sides->rhs);
+    maker.Add(PartRole::kRight, sides->rhs_positive, sides->rhs, 0, !model.rhs.positive);
   } else {
     maker.Add(PartRole::kRight, model.rhs);
   }
@@ -304,6 +304,7 @@ class RowWriter {
     else
       text.text = PayloadWords(*form_.knowledge, part.payload, names_, Writing::kCanonical);
     if (!part.positive) text.text = "not " + text.text;
+    if (part.denied) text.text = part.positive ? "not " + text.text : "not (" + text.text + ")";
     NoteNames(part.payload, &text.variables);
     return text;
   }

@@ -24,7 +24,8 @@ struct PieceForm {
   struct Part {
     PartRole role = PartRole::kCondition;
     bool positive = true;
-    Term payload;              // as the piece has it, nested states written out
+    bool denied = false;  // the effect that a veto speaks against; all parts of one kind of piece agree in it
+    Term payload;         // as the piece has it, nested states written out
     std::size_t instance = 0;  // which nested state it is from, as in parts.h: what makes a line together
     Term compared;             // the same with references to knowledge by content
     Hash128 shape;  // of `compared` without variables and numbers: parts of other shapes never agree

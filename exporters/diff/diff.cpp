@@ -11,7 +11,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// "3 only in A, 1 more general in B ...": kinds of which there are none are left out, but for the first two.
+// "3 only in A and 2 more that it gave up, 1 more general in B ...": kinds of which there are none are left
+// out, but for the first two.
 std::string TotalsOf(const KbDiffResult& difference, const DiffNames& names) {
   const std::size_t same = difference.same.size();
   if (difference.empty()) {
@@ -39,7 +40,10 @@ std::string TotalsOf(const KbDiffResult& difference, const DiffNames& names) {
   for (const KbChange change : kKbChanges) {
     const std::int64_t count = difference.Count(change);
     const bool always = change == KbChange::kRemoved || change == KbChange::kAdded;
-    if (count > 0 || always) totals.push_back(std::to_string(count) + " " + words(change));
+    if (count == 0 && !always) continue;
+    const std::int64_t given_up = always ? difference.CountGivenUp(change) : 0;
+    totals.push_back(std::to_string(count - given_up) + " " + words(change));
+    if (given_up > 0) totals.back() += " and " + std::to_string(given_up) + " more that it gave up";
   }
   return Join(totals, ", ") + ", " + std::to_string(same) + " the same.";
 }
@@ -219,7 +223,9 @@ Status WriteDiffMarkdown(const DiffReport& report, std::ostream& out) {
     if (file.lines.hidden > 0) out << "- and " << file.lines.hidden << " more\n";
   }
   for (const KbDiffItem& item : report.knowledge.items) {
-    out << "\n## " << MarkdownText(NameOf(item.change)) << ": " << MarkdownText(item.title) << "\n\n"
+    const std::string_view state = WordsOf(item.state());
+    out << "\n## " << MarkdownText(NameOf(item.change)) << ": " << MarkdownText(item.title)
+        << (state.empty() ? "" : " (" + std::string(state) + ")") << "\n\n"
         << MarkdownText(SentenceOf(item, safe.left, safe.right)) << "\n\n";
     for (const std::string& line : PartsOf(item)) out << "- " << MarkdownText(line) << "\n";
   }
@@ -234,6 +240,8 @@ Status WriteDiffJson(const DiffReport& report, std::ostream& out) {
                {"left", report.names.left},
                {"right", report.names.right}};
   for (const KbChange change : kKbChanges) json[std::string(NameOf(change))] = difference.Count(change);
+  json["given_up"] = {{"left", difference.CountGivenUp(KbChange::kRemoved)},
+                      {"right", difference.CountGivenUp(KbChange::kAdded)}};
   json["same"] = difference.same.size();
   json["runs"] = JsonOf(report.runs);
   json["items"] = Json::array();

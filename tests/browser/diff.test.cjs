@@ -123,6 +123,22 @@ test("an earlier moment of the same run has less, and is said to be one", async 
   await close();
 });
 
+test("what B gave up again is counted apart and said to be given up in the list, the piece and the map", async () => {
+  const { page, noise, close } = await open("diffs/given_up");
+  assert.equal(await page.locator("h1").textContent(), "B alone knows 1 piece, and had 6 more that it gave up; 2 confidences differ");
+  const gone = page.locator("#list .piece", { has: page.locator(".fate", { hasText: /^given up at [\d.]+ s$/ }) });
+  assert.equal(await gone.count(), 6);
+  assert.equal(await page.locator("#list .piece.added").count(), 7);
+  assert.equal(await page.locator("#map .chip.given-up .fate").count(), 6);
+  await gone.first().click();
+  const text = await detail(page);
+  assert.match(text, /veto\s+given up at [\d.]+ s[^]*Only B had [^]*given up[^]*state\s+\u2013\s+given up at [\d.]+ s/);
+  // A veto says what it speaks against.
+  assert.match(text, /release \[H\]\s+nothing\s+not H holding \[\]/);
+  assert.deepEqual(noise, []);
+  await close();
+});
+
 test("words find titles, ids and conditions; nothing found is said", async () => {
   const { page, close } = await open("diffs/forms");
   const all = await listed(page);

@@ -5,7 +5,7 @@ import re
 import shutil
 import subprocess
 
-from support import (DEMO, SCRIPTED, EndToEndTest, call, demo_episode, one_lesson_episode, one_lesson_scripted_episode,
+from support import (DEMO, SCENARIOS, SCRIPTED, EndToEndTest, call, demo_episode, one_lesson_episode, one_lesson_scripted_episode,
                      python_with, recorded, replaced, scenario_in, scripted_episode)
 
 # What nobody learns who was not shown the wide grab on the large cube.
@@ -88,6 +88,19 @@ class Diff(EndToEndTest):
         self.assertEqual({item["right"]["origin"] for item in added}, {"analogy"})
         self.assertEqual(sum(item["kind"] == "requirement_model" for item in added), 4)
         self.assertEqual(difference["removed"], 0)
+
+    def test_what_was_given_up_is_counted_apart_and_a_veto_says_not(self):
+        episode = recorded(SCENARIOS / "hand_grab_sphere_learn.toml", "vetoes")
+        sides = (f"{episode}@1s", episode)
+        difference = json.loads(self.run_program("diff", *sides, "--format", "json", status=1).out)
+        self.assertEqual((difference["added"], difference["given_up"]), (7, {"left": 0, "right": 6}))
+        added = [item for item in difference["items"] if item["change"] == "added"]
+        self.assertEqual(sum(item["right"]["state"] == "deleted" for item in added), 6)
+        for style in ("text", "markdown"):
+            text = self.run_program("diff", *sides, "--format", style, status=1).out.replace("\\", "")
+            self.assertRegex(text, r"0 only in .*, 1 only in .* and 6 more that it gave up, ")
+            self.assertEqual(text.count(", given up."), 6)
+            self.assertEqual(text.count("not H holding []"), 7)
 
     def test_the_difference_can_go_to_a_file(self):
         outcome = self.run_program("diff", scripted_episode(), one_lesson_scripted_episode(), "-o", "d.txt", status=1)

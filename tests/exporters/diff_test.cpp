@@ -60,6 +60,25 @@ TEST(DiffTextTest, SaysWhichConditionIsWithoutACounterpart) {
   EXPECT_EQ((*derived)["nearest"]["title"], "grab_type_2 a large cube");
 }
 
+TEST(DiffTextTest, WhatWasGivenUpIsCountedApartInEveryFormat) {
+  const KnowledgeBase a = Paper(2);
+  KnowledgeBase b = Paper(3);
+  b.SetState({42}, ModelState::kDeleted);
+  const KbDiffResult difference = DiffKnowledge(a, b);
+  std::ostringstream text, markdown, json;
+  ASSERT_TRUE(WriteDiffText({difference, {"A", "B"}}, text));
+  ASSERT_TRUE(WriteDiffMarkdown({difference, {"A", "B"}}, markdown));
+  ASSERT_TRUE(WriteDiffJson({difference, {"A", "B"}}, json));
+  const std::string totals = "0 only in A, 1 only in B and 1 more that it gave up, 4 the same.\n";
+  EXPECT_THAT(text.str(), testing::StartsWith(totals));
+  EXPECT_THAT(text.str(), HasSubstr("\"grab_type_1 a small cube\" (mdl_42 on cst_40), given up.\n"));
+  EXPECT_THAT(markdown.str(), HasSubstr(totals));
+  EXPECT_THAT(markdown.str(), HasSubstr("## added: grab\\_type\\_1 a small cube (given up)\n"));
+  const nlohmann::json read = nlohmann::json::parse(json.str());
+  EXPECT_EQ(read["added"], 2);
+  EXPECT_EQ(read["given_up"], (nlohmann::json{{"left", 0}, {"right", 1}}));
+}
+
 TEST(DiffTextTest, SaysWhatWentInDifferentlyAndWhereTheRunsPart) {
   RunDiff runs;
   runs.settings = {{"seed", "1", "2"}, {"parameter psi", std::nullopt, "0.5"}};

@@ -118,12 +118,20 @@ class DiffPage {
   // The answer in one line.
   verdict() {
     const count = (kind) => this.items.filter((item) => kindOf(item) === kind).length;
-    const a = count("removed"), b = count("added");
+    // What one had and gave up it does not know.
+    const given = (kind) => this.items.filter((item) => kindOf(item) === kind && isGivenUp(item)).length;
+    const goneA = given("removed"), goneB = given("added");
+    const a = count("removed") - goneA, b = count("added") - goneB;
+    const alone = (name, known, gone) => (known ? `${name} alone knows ${plural(known, "piece")}${gone ? `, and had ${gone} more that it gave up` : ""}`
+      : `${name} alone had ${plural(gone, "piece")}, and gave ${gone === 1 ? "it" : "them"} up`);
     const forms = count("generalised") + count("specialised") + count("other_values");
     const sure = count("confidence");
     if (!this.items.length) return this.data.same.length ? "A and B know the same" : "Neither A nor B knows anything";
     const texts = [];
-    if (a && b) texts.push(`A alone knows ${plural(a, "piece")}, B alone ${b}`);
+    if (goneA || goneB) {
+      if (a || goneA) texts.push(alone("A", a, goneA));
+      if (b || goneB) texts.push(alone("B", b, goneB));
+    } else if (a && b) texts.push(`A alone knows ${plural(a, "piece")}, B alone ${b}`);
     else if (a) texts.push(`A knows ${plural(a, "piece")} that B does not`);
     else if (b) texts.push(`B knows ${plural(b, "piece")} that A does not`);
     if (forms) texts.push(`${texts.length ? "B has" : "They know the same things, but B has"} ${forms} in another form`);
@@ -223,13 +231,14 @@ class DiffPage {
   // ---- the list
 
   pieceButton(item, brief) {
+    const fate = fateOf(item);
     const why = brief ? "" : whyOf(item);
     return el("li", {}, el("button", { type: "button", class: `piece ${kindOf(item)}`, "data-key": item.key,
       "aria-current": item === this.chosen ? "true" : null, on: { click: () => this.choose(item) } },
     mark(signOf(item)),
     el("span", {}, brief ? null : el("span", { class: "line" }, el("b", { text: KIND_WORDS.get(kindOf(item)) }), el("span", {}, ...spaced(idsOf(item)))),
       el("span", { class: "line" }, el("span", { class: "what", text: titleOf(item) }), brief ? el("span", {}, ...spaced(idsOf(item))) : null),
-      why ? el("span", { class: "why", text: why }) : null)));
+      fate ? el("span", { class: "fate", text: fate }) : null, why ? el("span", { class: "why", text: why }) : null)));
   }
   showList() {
     const list = this.shown();
@@ -272,9 +281,10 @@ class DiffPage {
   chip(item, head) {
     const kind = kindOf(item);
     const text = head ? [el("b", { text: titleOf(item) })] : this.conditions(item);
-    return el("button", { type: "button", class: `chip ${kind}${head ? " head" : " indent"}`, "data-key": item.key,
+    const fate = fateOf(item);
+    return el("button", { type: "button", class: `chip ${kind}${head ? " head" : " indent"}${isGivenUp(item) ? " given-up" : ""}`, "data-key": item.key,
       "aria-current": item === this.chosen ? "true" : null, on: { click: () => this.choose(item) } },
-    mark(signOf(item)), el("span", {}, ...text, el("span", { class: "unseen", text: ", " + KIND_WORDS.get(kind) })), el("span", {}, ...stacked(idsOf(item))));
+    mark(signOf(item)), el("span", {}, ...text, fate ? el("span", { class: "fate", text: fate }) : null, el("span", { class: "unseen", text: ", " + KIND_WORDS.get(kind) })), el("span", {}, ...stacked(idsOf(item))));
   }
   // Its conditions in a line; what only one side asks for is set off in pairs.
   conditions(item) {

@@ -48,6 +48,8 @@ class Curves {
           steps.push_back({shown[i]->time.us, Number(shown[i]->evidence.rate())});
       }
       curves_[IdText(history.model)] = std::move(steps);
+      if (!shown.empty() && shown.back()->state == ModelState::kDeleted)
+        gone_[IdText(history.model)] = SecondsText(shown.back()->time);
     }
   }
   json Of(const std::string& id) const {
@@ -55,8 +57,15 @@ class Curves {
     return curve == curves_.end() ? json::array() : curve->second;
   }
 
+  // When it was given up; empty if it was not.
+  std::string GoneAt(const std::string& id) const {
+    const auto gone = gone_.find(id);
+    return gone == gone_.end() ? "" : gone->second;
+  }
+
  private:
   std::map<std::string, json> curves_;
+  std::map<std::string, std::string> gone_;
 };
 
 json SideData(const DiffPageSide& side) {
@@ -85,6 +94,7 @@ json PieceData(const std::optional<KbDiffSide>& side, ModelGraphNodeKind kind, c
   data["total"] = Number(side->evidence.total);
   data["strong"] = side->strong;
   data["model_state"] = EnumName(side->model_state);
+  data["gone"] = curves.GoneAt(side->id);
   data["curve"] = curves.Of(side->id);
   return data;
 }

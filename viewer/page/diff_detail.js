@@ -11,7 +11,8 @@ function showDetail(pane, item, data, open) {
   }
   const kind = kindOf(item);
   pane.append(
-    el("p", { class: "kind-line " + kind }, mark(signOf(item)), el("b", { text: KIND_WORDS.get(kind) }), NODE_WORDS[item.kind]),
+    el("p", { class: "kind-line " + kind }, mark(signOf(item)), el("b", { text: KIND_WORDS.get(kind) }), NODE_WORDS[item.kind],
+      fateOf(item) ? el("span", { class: "fate", text: fateOf(item) }) : null),
     el("h2", { class: "name", text: titleOf(item) }),
     el("p", { class: "say" }, ...(item.say ? sentence(item.say.replace(/"([^"]*)"/g, "\u201c$1\u201d")) : ["Both have it, equal in what it says, in evidence and in origin."])),
     besideTable(item, open), ...guardsFold(item));
@@ -81,7 +82,7 @@ function factsTable(item) {
   if (item.aspects.includes("derivation")) add("made from", (side) => side.from || "nothing");
   else if ((left && left.from) || (right && right.from)) add("made from", (side) => side.from || "nothing", true);
   add("strength", (side) => (side.strong ? "confirmed" : "open"));
-  add("state", (side) => side.model_state.replace("_", " "));
+  add("state", sideState, stateOf(item) !== "active");
   add("copies", (side) => String(side.copies));
   return el("table", { class: "facts" }, el("caption", { class: "unseen", text: "Evidence and origin" }),
     el("thead", {}, el("tr", {}, el("td", {}), el("th", { scope: "col" }, letter("A")), el("th", { scope: "col" }, letter("B")))),

@@ -12,6 +12,7 @@ const NODE_WORDS = { composite_state: "composite state", causal_model: "causal m
   strong_requirement_model: "veto", reuse_model: "reuse model", drive_model: "drive model" };
 const ORIGIN_WORDS = { seed: "given", induction: "learned", prediction_failure: "learned from a failed prediction",
   goal_success: "learned from a goal that was reached", analogy: "made by analogy" };
+const STATE_WORDS = { active: "active", phased_out: "phased out", deleted: "given up" };
 const ENDINGS = [["", "open"], ["check", "reached"], ["cross", "failed"]];
 
 // What kind of difference an item is.
@@ -23,6 +24,19 @@ function kindOf(item) {
 function surer(item) {
   if (!item.left || !item.right || !Number.isFinite(item.left.sure) || !Number.isFinite(item.right.sure)) return null;
   return item.right.sure - item.left.sure;
+}
+// Of whoever has it; active where A and B differ in it.
+function stateOf({ left, right }) {
+  const [first, other] = [left || right, right || left].map((side) => side.model_state || "active");
+  return first === other ? first : "active";
+}
+const isGivenUp = (item) => stateOf(item) === "deleted";
+const sideState = (side) => STATE_WORDS[side.model_state] + (side.gone ? " at " + side.gone : "");
+// "given up at 1.8 s", "phased out"; empty of what is active.
+function fateOf(item) {
+  const { left, right } = item;
+  const state = stateOf(item);
+  return state === "active" ? "" : left && right ? STATE_WORDS[state] + " in both" : sideState(left || right);
 }
 // Its sign, which for a confidence says the direction.
 function signOf(item) {
@@ -81,7 +95,7 @@ function aspectsText({ aspects, left, right }) {
     if (aspect === "confidence") return `A ${sureText(left.sure)} (${counts(left)}), B ${sureText(right.sure)} (${counts(right)})`;
     if (aspect === "evidence") return `both ${sureText(left.sure)}: A ${counts(left)}, B ${counts(right)}`;
     if (aspect === "strength") return right.strong ? "confirmed in B only" : "confirmed in A only";
-    if (aspect === "state") return `A ${left.model_state.replace("_", " ")}, B ${right.model_state.replace("_", " ")}`;
+    if (aspect === "state") return `A ${sideState(left)}, B ${sideState(right)}`;
     if (aspect === "origin") return `A ${ORIGIN_WORDS[left.how]}, B ${ORIGIN_WORDS[right.how]}`;
     if (aspect === "copies") return `A has it ${left.copies} times, B ${right.copies}`;
     return "made from another piece";
@@ -91,6 +105,6 @@ function aspectsText({ aspects, left, right }) {
 // Everything that can be found in it.
 function wordsOf(item) {
   const sides = [item.left, item.right].flatMap((side) => (side ? [side.id, side.state, side.target, side.title] : []));
-  return [item.title, ...sides, ...item.rows.flatMap((row) => [row[2], row[3]]), KIND_WORDS.get(kindOf(item)),
+  return [item.title, ...sides, ...item.rows.flatMap((row) => [row[2], row[3]]), KIND_WORDS.get(kindOf(item)), fateOf(item),
     NODE_WORDS[item.kind]].join("\n").toLowerCase();
 }

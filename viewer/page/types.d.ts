@@ -44,7 +44,7 @@ interface Document {
 // The block "diff-data" of the page of a difference. Made by diff_data.cpp.
 interface DiffPiece {
   id: string; title: string; state: string; target: string; copies: number; how: string; from: string;
-  sure?: number | null; positive?: number | null; total?: number | null; strong?: boolean; model_state?: string; curve?: [Time, number | null][];
+  sure?: number | null; positive?: number | null; total?: number | null; strong?: boolean; model_state?: string; gone?: string; curve?: [Time, number | null][];
 }
 interface DiffItem {
   key: string; change: string; kind: string; title: string; say: string; aspects: string[];

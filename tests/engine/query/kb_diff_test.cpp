@@ -135,6 +135,67 @@ TEST(KbDiffTest, OtherEvidenceOfTheSameContentIsAChange) {
   EXPECT_THAT(DiffKnowledge(a, b).items.at(0).aspects, Contains("state"));
 }
 
+TEST(KbDiffTest, WhatWasGivenUpIsCountedApartAndSaidToBe) {
+  // Given what only one side has, one piece of it given up and one phased out there.
+  const KnowledgeBase a = Paper(6);
+  KnowledgeBase b = Paper(7);
+  const auto id_of = [&](const std::string& title) {
+    for (const auto& [id, record] : b.models())
+      if (TitleOf(b, id) == title) return id;
+    return ModelId{};
+  };
+  b.SetState(id_of("grab_type_2 something large"), ModelState::kDeleted);
+  b.SetState(id_of("release a large cube"), ModelState::kPhasedOut);
+  const KbDiffResult difference = DiffKnowledge(a, b);
+  EXPECT_EQ(difference.Count(KbChange::kAdded), 2);
+  EXPECT_EQ(difference.CountGivenUp(KbChange::kAdded), 1);
+  EXPECT_EQ(difference.CountGivenUp(KbChange::kRemoved), 0);
+  EXPECT_EQ(Exchanged(difference).CountGivenUp(KbChange::kRemoved), 1);
+  const KbDiffItem* gone = ItemTitled(difference, "grab_type_2 something large");
+  const KbDiffItem* aside = ItemTitled(difference, "release a large cube");
+  ASSERT_TRUE(gone && aside);
+  EXPECT_EQ(gone->state(), ModelState::kDeleted);
+  EXPECT_THAT(SentenceOf(*gone, "A", "B"),
+              testing::MatchesRegex("Only B had the requirement model \"grab_type_2 something large\" "
+                                    "\\(mdl_[0-9]+ on cst_[0-9]+\\), given up, more general than .*"));
+  EXPECT_THAT(SentenceOf(*aside, "A", "B"),
+              testing::MatchesRegex("Only B has the requirement model \"release a large cube\" "
+                                    "\\(mdl_[0-9]+ on cst_[0-9]+\\), phased out.*"));
+}
+
+TEST(KbDiffTest, OfAPairItIsSaidThatBothGaveItUp) {
+  // Given a piece that both gave up, after other evidence.
+  KnowledgeBase a = Paper();
+  KnowledgeBase b = Paper();
+  const ModelId id = a.models().begin()->first;
+  a.SetState(id, ModelState::kDeleted);
+  b.SetState(id, ModelState::kDeleted);
+  b.SetEvidence(id, {3, 4}, false);
+  const KbDiffResult difference = DiffKnowledge(a, b);
+  EXPECT_THAT(SentenceOf(difference.items.at(0), "A", "B"), testing::HasSubstr("; given up in both."));
+  // Where only one gave it up, there is no state of both.
+  EXPECT_EQ(DiffKnowledge(a, Paper()).items.at(0).state(), ModelState::kActive);
+}
+
+TEST(KbDiffTest, AVetoIsToldToPreventItsEffect) {
+  // Given a veto on one side: a requirement model turned to speak against its effect.
+  const KnowledgeBase a = Without(Paper(), "grab_type_2 a large cube");
+  KnowledgeBase b = a;
+  const KnowledgeBase whole = Paper();
+  for (const auto& [id, record] : whole.models()) {
+    if (TitleOf(whole, id) != "grab_type_2 a large cube") continue;
+    ModelRecord veto = record;
+    veto.model.rhs.positive = false;
+    b.AddModel(veto);
+  }
+  const KbDiffResult difference = DiffKnowledge(a, b);
+  const KbDiffItem* told = ItemTitled(difference, "veto: grab_type_2 a large cube");
+  ASSERT_NE(told, nullptr);
+  EXPECT_EQ(told->kind, ModelGraphNodeKind::kStrongRequirementModel);
+  EXPECT_THAT(TextsOf(*told, PartStatus::kRightOnly),
+              testing::IsSupersetOf({"grab_type_2 [H]", "not H holding [C]"}));
+}
+
 TEST(KbDiffTest, EqualContentTwiceIsCounted) {
   const KnowledgeBase a = Paper();
   KnowledgeBase b = Paper();
