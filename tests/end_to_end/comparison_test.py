@@ -5,8 +5,8 @@ import re
 import shutil
 import subprocess
 
-from support import (DEMO, SCENARIOS, SCRIPTED, EndToEndTest, call, demo_episode, one_lesson_episode, one_lesson_scripted_episode,
-                     python_with, recorded, replaced, scenario_in, scripted_episode)
+from support import (DEMO, SCENARIOS, SCRIPTED, EndToEndTest, call, demo_episode, one_lesson_episode,
+                     one_lesson_scripted_episode, python_with, recorded, replaced, scenario_in, scripted_episode)
 
 # What nobody learns who was not shown the wide grab on the large cube.
 MISSING_MODELS = {
