@@ -21,7 +21,7 @@ test("no card moves while time does, and what is not known yet says when it will
   await close();
 });
 
-test("a clicked model shows what it says, how sure it is and what it is bound to now", async () => {
+test("a clicked model shows what it says, how sure it is and what it is bound to", async () => {
   const { page, noise, close } = await open("full", { hash: "#t=8" });
   const id = await firstAnalogy(page);
   await page.locator(`.graph .item[data-id="${id}"]`).first().click();
@@ -29,7 +29,7 @@ test("a clicked model shows what it says, how sure it is and what it is bound to
   assert.equal(await selected(page), id);
   const inspector = page.locator("#inspector");
   assert.match(await inspector.locator(".big").textContent(), /^0\.88sure at 8 s/);
-  assert.match(await inspector.locator(".definition .now").textContent(), /^nowH = h, C = s1/);
+  assert.match(await inspector.locator(".definition .now").textContent(), /^at 7 sH = h, C = s1/);
   assert.equal(await inspector.locator("tr.missed").first().locator("td").last().textContent(), "pruned");
   assert.match(await inspector.locator(".verdict").first().textContent(), /3\/4 = 0\.75, accepted/);
   assert.match(await page.locator("#film .bound .name", { hasText: "s1" }).textContent(), /C = s1/);
