@@ -7,6 +7,7 @@
 // plain, not markup.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,9 +57,13 @@ struct ModelLines {
 ModelLines LinesOf(const KnowledgeBase& knowledge, const Model& model);
 
 // A composite state: "H hand at P"; a causal model: "grab_type_2 [H]"; a requirement model: "grab_type_2
-// something large", "grab_type_1 a small cube", "move the hand". Unknown ids: their id text.
+// something large", "grab_type_1 a small cube", "move the hand", "veto: release a sphere, seen 0.2 s before"
+// where the condition held earlier. Unknown ids: their id text.
 std::string TitleOf(const KnowledgeBase& knowledge, ModelId id);
 std::string TitleOf(const KnowledgeBase& knowledge, CompositeStateId id);
+// How long after its condition a requirement model speaks of: 0 where it speaks of the same time; nothing if
+// that cannot be told, or for other models.
+std::optional<Duration> DelayOf(const Model& model);
 // "If H holding [], C size large at P and H hand at P, then grab_type_2 [H] makes H holding [C]."
 std::string ExplanationOf(const KnowledgeBase& knowledge, ModelId id);
 

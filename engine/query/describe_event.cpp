@@ -186,7 +186,16 @@ class Teller {
   explicit Teller(const Run& run) : run_(run), knowledge_(run.final_knowledge()) {}
 
   std::string Tell(const Event& event) const {
-    const std::string sentence = std::visit([&](const auto& body) { return Of(body); }, event.body);
+    const std::string sentence = std::visit(
+        [&](const auto& body) {
+          // Some are told with what caused them.
+          if constexpr (requires { Of(body, event); }) {
+            return Of(body, event);
+          } else {
+            return Of(body);
+          }
+        },
+        event.body);
     // Its beginning and end name the simulation themselves.
     const bool names_it = std::holds_alternative<SimulationStarted>(event.body) ||
                           std::holds_alternative<SimulationEnded>(event.body);
@@ -304,8 +313,10 @@ class Teller {
     return bindings.empty() ? text + "." : text + ": " + bindings + ".";
   }
   std::string Of(const ImdlPredicted& e) const {
+    const ModelRecord* record = knowledge_.Find(e.requirement);
+    const bool later = record && DelayOf(record->model).value_or(Duration{}) > Duration{};
     return IdText(e.requirement) + (e.fact.positive ? " expects that " : " denies that ") +
-           Text(e.fact.payload) + ".";
+           Text(e.fact.payload) + (later ? ", at " + SecondsText(e.fact.interval.after) : "") + ".";
   }
   std::string Of(const PredictionMade& e) const { return "Predicted: " + Text(e.target) + "."; }
   std::string Of(const PredictionSucceeded& e) const {
@@ -350,6 +361,8 @@ class Teller {
     return text + ").";
   }
   std::string Of(const ChainingDecided& e) const {
+    if (IsVetoed(e) && e.winner.valid())
+      return IdText(e.model) + " is vetoed by " + IdText(e.winner) + " and predicts silently.";
     std::string text = IdText(e.model) + " " + std::string(Words(e.status));
     if (e.winner.valid()) text += ", by " + IdText(e.winner);
     return text + ".";
@@ -370,8 +383,10 @@ class Teller {
   }
   std::string Of(const CommandImagined& e) const { return "Imagined: " + Text(e.command) + "."; }
   std::string Of(const PlanRejected& e) const {
-    std::string text = "Not chosen: the plan of " + IdText(e.simulation) + ", score " +
-                       FormatConfidence(e.score) + " (" + std::string(Words(e.reason));
+    const std::string hindrance =
+        e.reason == PlanRejection::kNotEnabled ? HindranceIn(e.simulation) : std::string();
+    std::string text = "Not chosen: " + PlanOf(e.simulation) + ", score " + FormatConfidence(e.score) + " (" +
+                       (hindrance.empty() ? std::string(Words(e.reason)) : hindrance);
     if (e.harmed.valid()) text += ": " + TargetOf(e.harmed);
     return text + ").";
   }
@@ -398,23 +413,28 @@ class Teller {
     if (e.model.valid()) text += ", asked for by " + IdText(e.model);
     return text + ".";
   }
-  std::string Of(const GoalSkipped& e) const {
-    return "Not pursued: " + Text(e.target) + " (" + std::string(Words(e.reason)) + ").";
+  std::string Of(const GoalSkipped& e, const Event& event) const {
+    std::string text = "Not pursued: " + Text(e.target) + " (" + std::string(Words(e.reason));
+    for (const EventId cause : run_.Causes(event.id)) {
+      const auto* against = run_.FindBody<ImdlPredicted>(cause);
+      if (against && e.reason == GoalSkipReason::kVetoed) text += ": " + IdText(against->requirement);
+    }
+    return text + ").";
   }
   std::string Of(const AnalogyCompared& e) const;
   std::string Of(const SimulationStarted& e) const {
-    std::vector<std::string> steps;
-    for (const PlanStep& step : e.steps) steps.push_back(StepText(knowledge_, step));
-    return "Tried in the head (" + IdText(e.simulation) +
-           "): " + (steps.empty() ? "nothing" : Join(steps, ", then ")) + "; score " +
+    return "Tried in the head (" + IdText(e.simulation) + "): " + StepsText(e.steps) + "; score " +
            FormatConfidence(e.score) + ".";
   }
   std::string Of(const SimulationEnded& e) const {
     switch (e.outcome) {
       case SimulationOutcome::kReached:
         return "The plan of " + IdText(e.simulation) + " reaches its goal.";
-      case SimulationOutcome::kNotEnabled:
-        return "A step of " + IdText(e.simulation) + " would not work there.";
+      case SimulationOutcome::kNotEnabled: {
+        const std::string hindrance = HindranceIn(e.simulation);
+        return "A step of " + IdText(e.simulation) + " would not work there" +
+               (hindrance.empty() ? "" : ": " + hindrance) + ".";
+      }
       case SimulationOutcome::kNotReached:
         return "The plan of " + IdText(e.simulation) + " does not reach its goal.";
     }
@@ -438,6 +458,44 @@ class Teller {
   std::string Of(const EpisodeEnded& e) const {
     return "The episode ends: " + std::to_string(e.drives_reached) + " of " +
            Plural(e.drives, "goal", "goals") + " reached.";
+  }
+
+  static bool IsVetoed(const ChainingDecided& e) {
+    return e.status == ChainingStatus::kVetoed || e.status == ChainingStatus::kStrongDisabled;
+  }
+  // "press [jar], then twist [jar] (sim_96)".
+  std::string PlanOf(SimulationId simulation) const {
+    const auto* started = run_.FindBody<SimulationStarted>(run_.CreationOf(simulation));
+    if (!started) return "the plan of " + IdText(simulation);
+    return StepsText(started->steps) + " (" + IdText(simulation) + ")";
+  }
+  std::string StepsText(const std::vector<PlanStep>& steps) const {
+    std::vector<std::string> texts;
+    for (const PlanStep& step : steps) texts.push_back(StepText(knowledge_, step));
+    return texts.empty() ? "nothing" : Join(texts, ", then ");
+  }
+  // Why a step would not work there: "release [h] is vetoed by mdl_150". Nothing if it cannot be told.
+  std::string HindranceIn(SimulationId simulation) const {
+    const EventId creation = run_.CreationOf(simulation);
+    const auto* started = run_.FindBody<SimulationStarted>(creation);
+    if (!started) return {};
+    for (const EventId effect : run_.Effects(creation)) {
+      if (!run_.FindBody<SimulationEnded>(effect)) continue;
+      for (const EventId cause : run_.Causes(effect)) {
+        const auto* decided = run_.FindBody<ChainingDecided>(cause);
+        if (!decided) continue;
+        const auto step =
+            std::find_if(started->steps.begin(), started->steps.end(),
+                         [&](const PlanStep& one) { return one.causal_model == decided->model; });
+        const std::string what =
+            step == started->steps.end() ? IdText(decided->model) : StepText(knowledge_, *step);
+        if (IsVetoed(*decided) && decided->winner.valid())
+          return what + " is vetoed by " + IdText(decided->winner);
+        if (decided->status == ChainingStatus::kWeakDisabled) return "no condition for " + what + " holds";
+        return what + " " + std::string(Words(decided->status));
+      }
+    }
+    return {};
   }
 
   const Run& run_;

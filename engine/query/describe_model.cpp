@@ -128,7 +128,33 @@ std::string Sentence(std::string text) {
   return text + ".";
 }
 
+// A delay as people say it, behind a title and in front of a conclusion; nothing where there is none.
+std::string Earlier(const Model& model) {
+  const Duration delay = DelayOf(model).value_or(Duration{});
+  return delay.us > 0 ? ", seen " + SecondsText(Time{delay.us}) + " before" : "";
+}
+std::string Later(const Model& model) {
+  const Duration delay = DelayOf(model).value_or(Duration{});
+  return delay.us > 0 ? SecondsText(Time{delay.us}) + " later " : "";
+}
+
 }  // namespace
+
+std::optional<Duration> DelayOf(const Model& model) {
+  if (!IsRequirement(model) || !model.lhs.after.is(TermKind::kVariable) ||
+      !model.rhs.after.is(TermKind::kVariable)) {
+    return std::nullopt;
+  }
+  if (model.lhs.after == model.rhs.after) return Duration{};
+  for (const Guard& guard : model.forward) {
+    const Term& sum = guard.expression;
+    if (guard.target == model.rhs.after.variable() && sum.IsStruct("+") && sum.size() == 2 &&
+        sum[0] == model.lhs.after && sum[1].is(TermKind::kDuration)) {
+      return sum[1].duration();
+    }
+  }
+  return std::nullopt;
+}
 
 std::vector<std::string> NamesLikeItsState(const KnowledgeBase& knowledge, const Model& requirement) {
   Names names(VariableCount(requirement));
@@ -221,7 +247,7 @@ std::string TitleOf(const KnowledgeBase& knowledge, ModelId id) {
     case ModelKind::kStrongRequirement: {
       const std::string title =
           target ? ActionTitle(knowledge, model, target->model) : LinesOf(knowledge, model).rhs;
-      return model.rhs.positive ? title : "veto: " + title;
+      return (model.rhs.positive ? "" : "veto: ") + title + Earlier(model);
     }
     case ModelKind::kReuse:
       return ReuseTitle(knowledge, model);
@@ -240,10 +266,10 @@ std::string ExplanationOf(const KnowledgeBase& knowledge, ModelId id) {
   const ModelLines lines = LinesOf(knowledge, model);
   switch (KindOf(model)) {
     case ModelKind::kWeakRequirement:
-      return Sentence("If " + lines.lhs + ", then " + lines.rhs);
+      return Sentence("If " + lines.lhs + ", then " + Later(model) + lines.rhs);
     case ModelKind::kStrongRequirement: {
       const Names names = NamesLikeItsState(knowledge, model);
-      return Sentence("If " + lines.lhs + ", then it is not so that " +
+      return Sentence("If " + lines.lhs + ", then " + Later(model) + "it is not so that " +
                       PayloadText(knowledge, model.rhs.payload, names));
     }
     case ModelKind::kReuse:

@@ -47,7 +47,7 @@ class Writer {
     if (parts_.parts.size() >= kMaxParts) return;
     AddTimes(pattern);
     if (depth < kMaxNesting && AddNested(pattern, depth)) return;
-    parts_.parts.push_back({pattern.positive, pattern.payload, component_, instance});
+    parts_.parts.push_back({pattern.positive, pattern.payload, component_, instance, false, pattern.after});
   }
 
  private:
@@ -69,8 +69,13 @@ class Writer {
       const std::size_t instance = ++parts_.instances;
       const CompositeState state =
           writing_ == Writing::kCanonical ? InCanonicalOrder(*nested) : nested->state;
-      for (const FactPattern& component : state.components)
-        Add(WithArguments(component, arguments), depth + 1, instance);
+      // What it is made of holds when it holds.
+      for (const FactPattern& component : state.components) {
+        FactPattern part = WithArguments(component, arguments);
+        part.after = pattern.after;
+        part.before = pattern.before;
+        Add(part, depth + 1, instance);
+      }
       return true;
     }
     if (IsImdl(pattern.payload) && pattern.payload[0].is(TermKind::kModel)) {
@@ -111,6 +116,47 @@ std::string LetterOf(const std::string& attribute) {
   if (!std::isalpha(first)) return "V";
   const std::string letter(1, static_cast<char>(std::toupper(first)));
   return letter == "T" || letter == "X" || letter == "Y" || letter == "Z" ? "V" : letter;
+}
+
+Line::Predicate PredicateOf(const Part& part) {
+  using Kind = Line::Predicate::Kind;
+  if (!IsValue(part.payload)) return {Kind::kOther, part.positive, "", part.payload, part.since};
+  const std::string& attribute = part.payload[1].name();
+  Kind kind = KindOfAttribute(attribute);
+  // "C essence X" of a variable says which kind; only a constant reads as a noun.
+  if (kind == Kind::kNoun && !part.payload[2].is(TermKind::kOntology)) kind = Kind::kAttribute;
+  return {kind, part.positive, attribute, part.payload[2], part.since};
+}
+
+bool Says(const Line& line, const Line::Predicate& predicate) {
+  return std::any_of(line.predicates.begin(), line.predicates.end(), [&](const Line::Predicate& other) {
+    return other.positive == predicate.positive && other.attribute == predicate.attribute &&
+           other.value == predicate.value && other.since == predicate.since;
+  });
+}
+
+// Takes away what other composite states say whole, the later line; the lines that say it stand for its
+// components too.
+void SayOnce(std::vector<Line>* lines) {
+  for (std::size_t i = lines->size(); i-- > 0;) {
+    const Line line = (*lines)[i];
+    std::vector<Line*> saying;
+    for (const Line::Predicate& predicate : line.predicates) {
+      const auto other = std::find_if(lines->begin(), lines->end(), [&](const Line& one) {
+        return one.instance != line.instance && one.apart == line.apart && one.subject == line.subject &&
+               Says(one, predicate);
+      });
+      if (other != lines->end()) saying.push_back(&*other);
+    }
+    if (saying.size() < line.predicates.size()) continue;
+    for (Line* other : saying) {
+      std::vector<std::size_t>& all = other->components;
+      all.insert(all.end(), line.components.begin(), line.components.end());
+      std::sort(all.begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
+    }
+    lines->erase(lines->begin() + static_cast<std::ptrdiff_t>(i));
+  }
 }
 
 }  // namespace
@@ -288,19 +334,12 @@ std::vector<Line> LinesOf(const std::vector<Part>& parts) {
   using Kind = Line::Predicate::Kind;
   std::vector<Line> lines;
   for (const Part& part : parts) {
+    Line::Predicate predicate = PredicateOf(part);
+    const Term subject = IsValue(part.payload) ? part.payload[0] : Term::Nil();
     if (!IsValue(part.payload)) {
-      lines.push_back({Term::Nil(),
-                       {{Kind::kOther, part.positive, "", part.payload}},
-                       {part.component},
-                       part.instance,
-                       part.apart});
+      lines.push_back({subject, {std::move(predicate)}, {part.component}, part.instance, part.apart});
       continue;
     }
-    const std::string& attribute = part.payload[1].name();
-    Line::Predicate predicate{KindOfAttribute(attribute), part.positive, attribute, part.payload[2]};
-    // "C essence X" of a variable says which kind; only a constant reads as a noun.
-    if (predicate.kind == Kind::kNoun && !predicate.value.is(TermKind::kOntology))
-      predicate.kind = Kind::kAttribute;
     const auto is_attribute = [](const Line::Predicate& p) { return p.kind == Kind::kAttribute; };
     const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
       return line.instance == part.instance && line.apart == part.apart && line.subject == part.payload[0] &&
@@ -319,6 +358,7 @@ std::vector<Line> LinesOf(const std::vector<Part>& parts) {
       return std::pair(!a.positive, a.kind) < std::pair(!b.positive, b.kind);
     });
   }
+  SayOnce(&lines);
   return lines;
 }
 

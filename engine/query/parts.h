@@ -23,6 +23,7 @@ struct Part {
   std::size_t instance =
       0;               // which composite state it is a component of: 0 the outermost, counted up from there
   bool apart = false;  // makes no line with parts that are not `apart`
+  Term since = Term::Wildcard();  // from when it holds, in the variables of the outermost
 };
 
 // What became of a pattern: its parts, and the terms (variables) in places of time.
@@ -83,6 +84,7 @@ struct Line {
     bool positive = true;
     std::string attribute;
     Term value;
+    Term since = Term::Wildcard();  // of the part
   };
   Term subject;  // nil for a payload of another form, which then is the value of the one predicate
   std::vector<Predicate> predicates;
@@ -91,12 +93,13 @@ struct Line {
   bool apart = false;
 };
 // Parts of one composite state about one thing make one line, but each attribute has a line of its own: nouns
-// first, then the attribute, then places, then what is not.
+// first, then the attribute, then places, then what is not. What several of them say at the same time is said
+// once.
 std::vector<Line> LinesOf(const std::vector<Part>& parts);
 
 // The words of one attribute (describe.h).
 Line::Predicate::Kind KindOfAttribute(std::string_view attribute);
-bool NamesAKind(std::string_view attribute);  // its values are nouns: essence, shape
+bool NamesAKind(std::string_view attribute);   // its values are nouns: essence, shape
 bool NamesAPlace(std::string_view attribute);  // its values are where something is: position, at
 
 }  // namespace aerascope

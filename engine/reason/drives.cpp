@@ -54,6 +54,19 @@ void Drives::Close(const Drive& drive, bool reached, EventId because, Time now) 
   last_reached_ = reached;
 }
 
+// It is missed because it was wanted until now, and because of what stood in its way; the nearest causes are
+// enough.
+EventId Drives::Miss(const Drive& drive, const Conclusions& concluded, Time now) {
+  constexpr std::size_t kMostHindrances = 32;
+  const auto promise = concluded.find(drive.promised_by);
+  std::vector<EventId> causes{drive.goal.event,
+                              promise == concluded.end() ? drive.let_down : promise->second.event};
+  const std::size_t count = std::min(drive.hindrances.size(), kMostHindrances);
+  causes.insert(causes.end(), drive.hindrances.begin(),
+                drive.hindrances.begin() + static_cast<std::ptrdiff_t>(count));
+  return journal_.Write(now, GoalFailed{drive.goal.id}, causes);
+}
+
 std::vector<Drives::Achieved> Drives::Check(const Situation& situation, const Conclusions& concluded) {
   const Time now = situation.interval().after;
   std::vector<Achieved> reached;
@@ -68,7 +81,7 @@ std::vector<Drives::Achieved> Drives::Check(const Situation& situation, const Co
       continue;
     }
     if (drive.target.interval.before <= now) {
-      Close(drive, false, journal_.Write(now, GoalFailed{drive.goal.id}, {drive.goal.event}), now);
+      Close(drive, false, Miss(drive, concluded, now), now);
       continue;
     }
     still_open.push_back(std::move(drive));
@@ -83,8 +96,9 @@ void Drives::Resume(const Conclusions& concluded, Time now) {
     if (!drive.promised_by.valid() || journal_.knowledge().predictions().contains(drive.promised_by))
       continue;
     const auto outcome = concluded.find(drive.promised_by);
-    journal_.Write(now, GoalResumed{drive.goal.id, drive.promised_by},
-                   {drive.suspended, outcome == concluded.end() ? EventId{} : outcome->second.event});
+    drive.let_down =
+        journal_.Write(now, GoalResumed{drive.goal.id, drive.promised_by},
+                       {drive.suspended, outcome == concluded.end() ? EventId{} : outcome->second.event});
     drive.promised_by = {};
   }
 }
@@ -144,8 +158,13 @@ std::optional<Wish> Drives::Decide(const Situation& situation, const OfferKnowle
   std::optional<Wish> wish;
   for (auto& [drive, decision] : decisions) {
     EventId event;
-    for (const PendingEvent& outcome : decision.outcome)
+    drive->hindrances.clear();
+    for (const PendingEvent& outcome : decision.outcome) {
       event = journal_.Write(commit, outcome.body, outcome.causes);
+      drive->hindrances.push_back(event);
+    }
+    if (decision.command) drive->hindrances = {event};
+    drive->hindrances.insert(drive->hindrances.end(), decision.hindrances.begin(), decision.hindrances.end());
     DropOldPlan(*drive, decision, commit);
     drive->goals = decision.goals;
     drive->plan.clear();

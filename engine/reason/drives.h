@@ -62,9 +62,14 @@ class Drives {
     // Of the last decision: the plan committed to (the steps still to come) and the goals set.
     std::vector<Step> plan;
     std::vector<GoalLog::Line> goals;
+    // Why it is still open: a promise that was not kept; and of the last decision the plan chosen, or else
+    // the plans rejected and what kept others from being found.
+    EventId let_down;
+    std::vector<EventId> hindrances;
   };
 
   void Close(const Drive& drive, bool reached, EventId because, Time now);
+  EventId Miss(const Drive& drive, const Conclusions& concluded, Time now);
   void DropOldPlan(const Drive& drive, const Decision& decision, Time now);
 
   const ReasonerParameters& parameters_;

@@ -15,6 +15,27 @@ std::string KeyOf(GoalId super, const Fact& target) {
   return std::to_string(super.value) + (target.positive ? "/" : "/not ") + Encode(target.payload);
 }
 
+// Whether what is skipped for this reason is missing in the end; the others hold, come by themselves or are
+// pursued elsewhere.
+bool Hinders(GoalSkipReason reason) {
+  switch (reason) {
+    case GoalSkipReason::kAlreadyHolds:
+    case GoalSkipReason::kPredicted:
+    case GoalSkipReason::kLoop:
+      return false;
+    case GoalSkipReason::kTooDeep:
+    case GoalSkipReason::kNoModel:
+    case GoalSkipReason::kBudget:
+    case GoalSkipReason::kProperty:
+    case GoalSkipReason::kTooLate:
+    case GoalSkipReason::kLowConfidence:
+    case GoalSkipReason::kUnbound:
+    case GoalSkipReason::kVetoed:
+      return true;
+  }
+  return true;
+}
+
 }  // namespace
 
 GoalEntry GoalLog::Set(const GoalEntry& super, ModelId model, const Fact& target) {
@@ -34,6 +55,7 @@ void GoalLog::Skip(const GoalEntry& super, const Fact& target, GoalSkipReason re
   if (!skipped_.insert(KeyOf(super.id, closed)).second) return;
   const EventId skipped = journal_.Write(now_, GoalSkipped{super.id, closed, reason}, {super.event, because});
   if (reason == GoalSkipReason::kVetoed) vetoed_.push_back(skipped);
+  if (Hinders(reason)) hindered_.push_back(skipped);
 }
 
 }  // namespace aerascope

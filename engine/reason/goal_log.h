@@ -28,6 +28,9 @@ class GoalLog {
 
   // What was not pursued because of a veto, in order.
   const std::vector<EventId>& vetoed() const { return vetoed_; }
+  // What was not pursued though it is wanted and not there: no way leads on from it. In order, those of a
+  // veto too.
+  const std::vector<EventId>& hindered() const { return hindered_; }
 
   // All goals set, oldest first, with the goal each serves.
   struct Line {
@@ -44,6 +47,7 @@ class GoalLog {
   std::set<std::string> skipped_;
   std::vector<Line> lines_;
   std::vector<EventId> vetoed_;
+  std::vector<EventId> hindered_;
 };
 
 }  // namespace aerascope

@@ -117,6 +117,7 @@ void Hypotheses::ReportRejected() {
     const EventId reported = journal_.Write(
         context_.now, Describe(candidate, *candidate.comparison.rejection), CausesOf(candidate));
     if (candidate.comparison.rejection == AnalogyVerdict::kBlackListed) refused_.push_back(reported);
+    fruitless_.push_back(reported);
   }
 }
 
@@ -124,9 +125,10 @@ void Hypotheses::ReportLeftOver(bool searched) {
   for (const Candidate& candidate : candidates_) {
     if (candidate.comparison.rejection || candidate.adopted) continue;
     const bool no_plan = searched && !candidate.in_a_plan;
-    journal_.Write(context_.now,
-                   Describe(candidate, no_plan ? AnalogyVerdict::kNoPlan : AnalogyVerdict::kNotRequired),
-                   CausesOf(candidate));
+    const EventId reported = journal_.Write(
+        context_.now, Describe(candidate, no_plan ? AnalogyVerdict::kNoPlan : AnalogyVerdict::kNotRequired),
+        CausesOf(candidate));
+    if (no_plan) fruitless_.push_back(reported);
   }
 }
 

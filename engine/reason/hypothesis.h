@@ -57,6 +57,8 @@ class Hypotheses {
   void ReportLeftOver(bool searched);
   // The comparisons reported as black-listed, in order.
   const std::vector<EventId>& refused() const { return refused_; }
+  // All comparisons that led to nothing wanted: rejected, or no plan through them reaches the goal. In order.
+  const std::vector<EventId>& fruitless() const { return fruitless_; }
 
  private:
   const ModelRecord* BlackListed(const Hypothesis& hypothesis) const;
@@ -72,6 +74,7 @@ class Hypotheses {
   std::vector<Candidate> candidates_;
   std::map<std::string, int> position_of_;
   std::vector<EventId> refused_;
+  std::vector<EventId> fruitless_;
 };
 
 }  // namespace aerascope

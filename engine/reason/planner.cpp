@@ -154,7 +154,12 @@ class Planner {
     }
     decision.goals = goals_.lines();
     decision.prohibitions = prohibitions_;
-    if (!choice.chosen) return decision;
+    if (!choice.chosen) {
+      decision.hindrances = goals_.hindered();
+      decision.hindrances.insert(decision.hindrances.end(), hypotheses_.fruitless().begin(),
+                                 hypotheses_.fruitless().end());
+      return decision;
+    }
     const Tried& best = tried_[*choice.chosen];
     decision.outcome.push_back(
         {PlanCommitted{best.goal.id, best.trial.simulation, simulations, plans[*choice.chosen].score},

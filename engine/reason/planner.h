@@ -45,6 +45,8 @@ struct Decision {
   std::set<ModelId> vetoed;               // models of steps that a veto disabled in some plan
   std::vector<GoalLog::Line> goals;       // all goals set for this decision
   std::vector<Prohibition> prohibitions;  // commands that would undo this goal
+  // Where no plan was chosen: goals that no way led on from, and comparisons that gave no hypothesis.
+  std::vector<EventId> hindrances;
 };
 
 // `situation` is the present one; `offer` may extend it.

@@ -89,12 +89,15 @@ class Writer {
       out_ << "      if " << LinesOf(knowledge_, record.model).lhs << "\n";
       return;
     }
-    WriteConditions(triad.state);
+    WriteConditions(triad.state, DelayOf(record.model).value_or(Duration{}));
   }
 
-  void WriteConditions(CompositeStateId id) {
+  // `delay`: how long before what it is a condition for.
+  void WriteConditions(CompositeStateId id, Duration delay) {
     shown_.insert(id);
-    out_ << "      if " << IdText(id) << ":";
+    out_ << "      if ";
+    if (delay > Duration{}) out_ << "it held " << SecondsText(Time{delay.us}) << " before: ";
+    out_ << IdText(id) << ":";
     std::vector<std::string> pruned;
     std::vector<std::string> texts;
     for (const Condition& condition : ConditionsWithPruned(knowledge_, id)) {

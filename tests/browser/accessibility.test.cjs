@@ -4,7 +4,7 @@ const assert = require("node:assert/strict");
 const { test } = require("node:test");
 const { findings, focusUnseen, looks, motion } = require("./lib/access.cjs");
 const reports = require("./lib/reports.cjs");
-const { useBrowser } = require("./lib/browser.cjs");
+const { quiet, useBrowser } = require("./lib/browser.cjs");
 
 const open = useBrowser();
 // The demo in every look; the others in one look each, so that each look is tried on several.
@@ -15,7 +15,7 @@ for (const [name, look] of cases) {
     const { page, close } = await open(name, look);
     for (const view of name === reports.demo ? ["overview", "knowledge", "reasoning", "events"] : ["overview"]) {
       await page.locator("#tab-" + view).click();
-      await page.waitForTimeout(50);
+      await quiet(page);
       assert.deepEqual(await findings(page), [], view);
     }
     await close();

@@ -3,7 +3,7 @@
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
 const { findings, focusUnseen, looks, motion } = require("./lib/access.cjs");
-const { inHash, useBrowser } = require("./lib/browser.cjs");
+const { inHash, quiet, useBrowser } = require("./lib/browser.cjs");
 const { Firefox, program } = require("./lib/firefox.cjs");
 const reports = require("./lib/reports.cjs");
 
@@ -55,7 +55,7 @@ test("counts are those of the program, and each kind shows just its own", async 
     const { "the same": same, ...rest } = await counts(page);
     assert.equal(Object.values(rest).reduce((sum, count) => sum + count, 0), all, name);
     await page.locator("#same").evaluate((node) => { node.open = true; });
-    await page.waitForTimeout(30);
+    await quiet(page);
     assert.equal(await page.locator("#same-list .piece").count(), same, name);
     for (const [words, count] of Object.entries(rest)) {
       if (!count) continue;
@@ -223,7 +223,7 @@ for (const [name, look] of cases) {
   test(`axe finds nothing in ${name}, ${look.colorScheme}, at ${look.width} px, and nothing is wider than the page`, async () => {
     const { page, noise, close } = await open(name, look);
     await page.evaluate(() => { for (const details of document.querySelectorAll("details")) details.open = true; });
-    await page.waitForTimeout(50);
+    await quiet(page);
     assert.deepEqual(await findings(page), []);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "it scrolls sideways");
     assert.deepEqual(noise, []);

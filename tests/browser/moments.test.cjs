@@ -2,7 +2,7 @@
 "use strict";
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
-const { time, useBrowser } = require("./lib/browser.cjs");
+const { quiet, time, useBrowser } = require("./lib/browser.cjs");
 
 const open = useBrowser();
 
@@ -46,11 +46,11 @@ test("dragging anywhere on the lanes scrubs film, graph and story together", asy
   await page.mouse.move(box.x + 20, box.y + box.height - 4);
   await page.mouse.down();
   await page.mouse.move(box.x + 30, box.y + 8);
-  await page.waitForTimeout(150);
+  await quiet(page);
   const [earlyTime, earlyImage] = [await time(page), await image()];
   const earlyCount = await page.locator("#graph-count").textContent();
   await page.mouse.move(box.x + box.width - 120, box.y + 8, { steps: 5 });
-  await page.waitForTimeout(150);
+  await quiet(page);
   await page.mouse.up();
   assert.notEqual(await time(page), earlyTime);
   assert.notEqual(await image(), earlyImage);

@@ -3,14 +3,14 @@
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
 const reports = require("./lib/reports.cjs");
-const { useBrowser } = require("./lib/browser.cjs");
+const { quiet, useBrowser } = require("./lib/browser.cjs");
 
 const open = useBrowser();
 
 test("a print leaves nothing cut", async () => {
   const { page, close } = await open(reports.demo, { width: 1024, height: 1400 });
   await page.emulateMedia({ media: "print" });
-  await page.waitForTimeout(200);
+  await quiet(page);
   const cut = await page.evaluate(() => {
     const found = [];
     for (const node of document.querySelectorAll("body, body *")) {

@@ -35,7 +35,6 @@ for (const name of scenarios) {
     for (const view of ["knowledge", "reasoning", "events", "overview"]) {
       await tab(page, view).click();
       for (const key of ["Home", "ArrowRight", "End"]) await page.keyboard.press(key);
-      await page.waitForTimeout(150);
       assert.equal(await shown(page), view);
       assert.equal(await page.locator("#view-" + view).isVisible(), true);
     }

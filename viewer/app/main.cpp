@@ -1,6 +1,9 @@
 // The program: reads the command line, runs one subcommand, turns what went wrong into one sentence and a status.
 #include <CLI/CLI.hpp>
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -33,6 +36,12 @@ std::string SuggestionFor(const CLI::App& app, int argc, char** argv) {
     return "there is no command '" + word + "'" + (closest.empty() ? "" : "; did you mean '" + closest + "'?");
   }
   return "";
+}
+
+// Whether nobody reads standard output any more, as behind `| head`: what was to be said has been heard.
+bool ReaderWentAway() {
+  pollfd output{STDOUT_FILENO, 0, 0};
+  return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
 int ReportUse(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
@@ -75,7 +84,8 @@ int Main(int argc, char** argv) {
   }
   const int status = chosen();
   // What was printed may not have arrived: a full disk behind standard output is trouble, too.
-  if (std::fflush(stdout) != 0 || std::ferror(stdout)) return Fail("cannot write to standard output");
+  const bool arrived = std::fflush(stdout) == 0 && !std::ferror(stdout);
+  if (!arrived && !ReaderWentAway()) return Fail("cannot write to standard output");
   return status;
 }
 

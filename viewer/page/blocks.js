@@ -12,7 +12,7 @@ async function unpackedBytes(block) {
   const bytes = bytesOfBase64(block.textContent || "");
   if (block.dataset.packed !== "gzip") return bytes;
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  return new Uint8Array(await busyWith(new Response(stream).arrayBuffer()));
 }
 
 // A block by its id; a page without it says so. The script begins before the whole page is read, so a block may be

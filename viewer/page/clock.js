@@ -178,7 +178,9 @@ class App {
   // Browsers take no more than a few changes of address a second. A new selection, view or filter can be gone back from.
   save() {
     clearTimeout(this.saving);
+    document.documentElement.dataset.unsaved = "true";
     this.saving = setTimeout(() => {
+      delete document.documentElement.dataset.unsaved;
       const place = this.place();
       const address = this.address();
       // Somebody else changed the address: what it asks for comes next, and is not written over.

@@ -74,13 +74,14 @@ function eventsPane(app) {
 
   inHead.addEventListener("click", () => { imagined = !imagined; inHead.setAttribute("aria-pressed", String(imagined)); app.keep("head", imagined ? "" : "no"); refresh(); });
   aboutChip.addEventListener("click", () => { about = null; app.keep("about", ""); refresh(); });
-  let typing = 0;
-  find.addEventListener("input", () => { clearTimeout(typing); typing = setTimeout(() => { words = find.value.trim().toLowerCase(); app.keep("words", words); refresh(); }, 120); });
+  const typing = new Later();
+  find.addEventListener("input", () => typing.ask(120, () => { words = find.value.trim().toLowerCase(); app.keep("words", words); refresh(); }));
   find.addEventListener("keydown", (event) => { if (event.key === "Enter") { event.preventDefault(); goOn(event.shiftKey ? -1 : 1); } });
 
   // The events that the filters leave. Words are looked for chunk by chunk, so that the page stays alive, and what is
   // found shows as it comes.
-  async function refresh() {
+  const refresh = () => busyWith(listFitting());
+  async function listFitting() {
     const mine = ++search;
     const anchor = shown[Math.floor(list.first)] || eventAtCursor();
     aboutChip.hidden = !about;

@@ -9,13 +9,13 @@ function inspectorPane(app) {
 
   async function draw(subject) {
     live = [];
-    const compared = await comparisonsOf(subject);
+    const [compared, against] = await Promise.all([comparisonsOf(subject), reasonsAgainst(subject)]);
     if (app.selected !== subject.id) return;
     const steps = subject.number >= 0 ? app.log.confidence(subject.number) : [];
     (subject.detail.steps || []).forEach(([reason, positive, total], i) => { if (steps[i]) Object.assign(steps[i], { why: reason, positive, total }); });
     subject.confidence = steps;
     const sections = [definition(subject), eventFields(subject), facts(subject), life(subject), outcome(subject), requirements(subject),
-      relatives(subject), plans(subject), whyNot(subject), comparisons(subject, compared), why(subject), led(subject), happenings(subject)];
+      relatives(subject), plans(subject), whyNot(subject, against), comparisons(subject, compared), why(subject), led(subject), happenings(subject)];
     const shown = sections.filter((section) => section);
     box.replaceChildren(top(subject, shown), ...shown);
     box.scrollTop = 0;
@@ -233,21 +233,55 @@ function inspectorPane(app) {
       el("thead", {}, el("tr", {}, el("th", { text: "commands" }), el("th", { text: "sure" }), el("th", {}, el("span", { class: "unseen", text: "what came of it" })))), el("tbody", {}, ...rows)));
   }
 
-  // ---- why something did not happen: what was skipped, rejected, refused or contradicted on the way
-  function whyNot(subject) {
-    if (!["goal", "prediction", "command"].includes(subject.kind) || subject.outcome === "true") return null;
+  // ---- why something did not happen: what was skipped, rejected, refused or contradicted on the way; and which veto won
+  function whyNot(subject, reasons) {
+    if (!reasons.length) return null;
+    const shown = reasons.slice(0, 16);
+    const row = ({ first, last, count }) => el("div", { class: "line" },
+      eventRow(app, first, { note: count > 1 ? ` ${count} times, until ${secondsText(app.log.time(last))}` : "" }));
+    const vetoes = [...new Set(reasons.flatMap((reason) => reason.vetoes))].map((id) => app.subject(id)).filter((one) => one);
+    return block(heading(subject.outcome === "failed" ? "Why not?" : "What spoke against it?", `${reasons.length} ${reasons.length === 1 ? "reason" : "reasons"}`, "part-whynot"),
+      el("div", { class: "tree" }, ...shown.map(row)),
+      reasons.length > shown.length ? el("p", { class: "verdict quiet", text: `and ${reasons.length - shown.length} more` }) : "",
+      vetoes.length ? heading(vetoes.length === 1 ? "Which veto won?" : "Which vetoes won?") : "", subjectList(vetoes.slice(0, 12)));
+  }
+  // Each reason with how often it came, the first and the last time.
+  async function reasonsAgainst(subject) {
+    if (!["goal", "prediction", "command"].includes(subject.kind) || subject.outcome === "true") return [];
+    const { log } = app;
     const goals = subject.kind === "goal" ? withSubGoals(subject.number) : [subject.number];
-    const against = new Set(goals.flatMap((number) => [...app.log.eventsOf(number)]).filter((event) => app.log.against(event)));
-    // Plans that were tried for a goal do not name it when they end.
-    if (subject.kind === "goal") {
-      for (const goal of goals) for (const event of app.log.eventsOf(goal)) for (const effect of app.log.effects(event)) if (app.log.against(effect)) against.add(effect);
+    const against = new Set();
+    const note = (event) => { if (log.against(event)) against.add(event); };
+    for (const number of goals) {
+      for (const event of log.eventsOf(number)) {
+        note(event);
+        // Plans that were tried for a goal do not name it when they end.
+        if (subject.kind === "goal") for (const effect of log.effects(event)) note(effect);
+      }
     }
-    const events = [...against].sort((a, b) => a - b);
-    if (!events.length) return null;
-    const shown = events.slice(0, 16);
-    return block(heading(subject.outcome === "failed" ? "Why not?" : "What spoke against it?", `${events.length} ${events.length === 1 ? "reason" : "reasons"}`, "part-whynot"),
-      el("div", { class: "tree" }, ...shown.map((event) => el("div", { class: "line" }, eventRow(app, event)))),
-      events.length > shown.length ? el("p", { class: "verdict quiet", text: `and ${events.length - shown.length} more` }) : "");
+    // A promise that was not kept stands behind the event that ended it.
+    if (subject.decided) for (const cause of log.causes(subject.decided)) for (const event of [cause, ...log.causes(cause)]) note(event);
+    // A plan that did not work is told where it was rejected.
+    for (const event of [...against]) if (log.kind(event).name === "PlanRejected") for (const cause of log.causes(event)) against.delete(cause);
+    const told = [...against].sort((a, b) => a - b).slice(0, 400);
+    await log.loadTexts(told);
+    const reasons = new Map();
+    for (const event of told) {
+      const said = (log.textNow(event) || "").replace(/sim_\d+/g, "");
+      const known = reasons.get(said);
+      if (known) { known.last = event; known.count += 1; } else reasons.set(said, { first: event, last: event, count: 1 });
+    }
+    return Promise.all([...reasons.values()].slice(0, 40).map(async (reason) => ({ ...reason, vetoes: await vetoesBehind(reason.first) })));
+  }
+  // The strong requirement models that won against what was wanted, as the event's causes name them.
+  async function vetoesBehind(event) {
+    const { log } = app;
+    app.strong = app.strong || new Set(app.report.graph.bands.flatMap((band) => band.cards.filter((card) => card.strong).map((card) => card.subject)));
+    const causes = { GoalSkipped: () => [...log.causes(event)], PlanRejected: () => [...log.causes(event)].flatMap((ended) => [...log.causes(ended)]) }[log.kind(event).name];
+    const says = { ImdlPredicted: "requirement", ChainingDecided: "winner" };
+    const fields = await Promise.all((causes ? causes() : []).filter((cause) => log.kind(cause).name in says)
+      .map(async (cause) => (await log.fields(cause)).fields.find((field) => field.name === says[log.kind(cause).name])));
+    return fields.map((field) => (field ? field.go : "")).filter((id) => app.strong.has(id));
   }
   function withSubGoals(number) {
     if (!app.subGoals) {
@@ -315,7 +349,7 @@ function inspectorPane(app) {
   }
 
   return app.add({
-    showSelection(subject) { draw(subject); },
+    showSelection(subject) { busyWith(draw(subject)); },
     showTime(t) { for (const part of live) part(t); },
   });
 }

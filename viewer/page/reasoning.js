@@ -151,7 +151,8 @@ function reasoningPane(app) {
     pane.bringSelected = false;
   }
 
-  let waiting = 0, changed = -Infinity;
+  const waiting = new Later();
+  let changed = -Infinity;
   const title = $("reasoning-title");
   const pane = {
     bringSelected: false,
@@ -160,9 +161,9 @@ function reasoningPane(app) {
       title.textContent = "What it thought at " + clockText(t);
       if (app.frame === drawn) return;
       // While time runs or is dragged, a frame is drawn only if it stays.
-      clearTimeout(waiting);
+      waiting.cancel();
       const now = performance.now();
-      if (now - changed > 150) draw(app.frame); else waiting = setTimeout(() => { if (app.frame !== drawn) draw(app.frame); }, 90);
+      if (now - changed > 150) draw(app.frame); else waiting.ask(90, () => { if (app.frame !== drawn) draw(app.frame); });
       changed = now;
     },
     showView(view) { if (view === "reasoning") { pane.bringSelected = true; pane.showTime(app.t); markSelected(); } },

@@ -39,10 +39,12 @@ function listen(page) {
 async function open(browser, name, { hash = "", width = 1440, height = 900, ...options } = {}) {
   const context = await browser.newContext({ viewport: { width, height }, ...options });
   const page = await context.newPage();
+  settleAfterActions(page);
   const noise = listen(page);
   const started = Date.now();
   await page.goto("file://" + reports.fileOf(name) + hash);
   await ready(page);
+  await quiet(page);
   return { page, noise, opened: Date.now() - started, close: () => context.close() };
 }
 
@@ -53,7 +55,52 @@ const time = (page) => page.locator("#time").textContent();
 const inHash = (page, name) =>
   page.evaluate((key) => new URLSearchParams(location.hash.slice(1)).get(key), name);
 const selected = (page) => inHash(page, "sel");
-const settled = (page) => page.waitForTimeout(350);  // the address is written with a delay
+
+// Waits until what was asked for is on the screen: nothing is on its way, and two frames in a row changed nothing.
+// What never rests, such as a film that plays, is waited for no longer than it takes to begin.
+const quiet = (page) => page.evaluate(() => new Promise((resolve) => {
+  const since = performance.now();
+  let changed = false, still = 0;
+  const observer = new MutationObserver(() => { changed = true; });
+  observer.observe(document, { subtree: true, childList: true, attributes: true, characterData: true });
+  const look = () => {
+    const busy = document.documentElement.dataset.busy === "true";
+    still = changed || busy ? 0 : still + 1;
+    changed = false;
+    const waited = performance.now() - since;
+    if (still < 2 && waited < (busy ? 20000 : 400)) { requestAnimationFrame(look); return; }
+    observer.disconnect();
+    resolve();
+  };
+  requestAnimationFrame(look);
+}));
+// The same, and the address says it too, which is written with a delay.
+async function settled(page) {
+  await quiet(page);
+  await page.waitForFunction(() => document.documentElement.dataset.unsaved !== "true");
+}
+
+// After what a reader does, a test looks at what came of it, not at what was there before. A dialog or a page that went
+// away has nothing to wait for.
+function settleAfterActions(page) {
+  const calm = (object, ...names) => {
+    for (const name of names) {
+      const act = object[name];
+      object[name] = async function actAndSettle(...given) {
+        const result = await act.apply(this, given);
+        const acted = typeof this.page === "function" ? this.page() : page;
+        await quiet(acted).catch(() => {});
+        return result;
+      };
+    }
+  };
+  calm(page.keyboard, "press");
+  calm(page.mouse, "click");
+  const locators = Object.getPrototypeOf(page.locator("html"));
+  if (locators.settles) return;
+  locators.settles = true;
+  calm(locators, "click", "fill", "press", "selectOption");
+}
 
 // The first piece of knowledge made by analogy: its ring in the graph, its mark in the lanes.
 async function firstAnalogy(page) {
@@ -63,4 +110,4 @@ async function firstAnalogy(page) {
   });
 }
 
-module.exports = { firstAnalogy, inHash, launch, listen, open, ready, selected, settled, time, useBrowser };
+module.exports = { firstAnalogy, inHash, launch, listen, open, quiet, ready, selected, settled, time, useBrowser };

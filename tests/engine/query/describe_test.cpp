@@ -101,6 +101,58 @@ TEST(DescribeTest, AStrongRequirementDenies) {
             "If X weight heavy, then it is not so that lift [X] makes X level up.");
 }
 
+TEST(DescribeTest, AConditionThatHeldEarlierIsSaidWithItsTime) {
+  // Given a veto whose condition held two frames before what it forbids,
+  KnowledgeBase knowledge;
+  const Model cm{{1},
+                 {},
+                 {true, MakeCommand(O("lift"), {V(0)}), V(1), V(2)},
+                 {true, MakeValue(V(0), O("level"), O("up")), V(3), V(4)},
+                 {},
+                 {},
+                 {"X"}};
+  const auto later = [](int of, std::int64_t by_ms) { return Struct("+", {V(of), D(by_ms)}); };
+  const Model veto{{2},
+                   {},
+                   {true, MakeValue(V(0), O("weight"), O("heavy")), V(1), V(2)},
+                   {false, MakeImdl({1}, {}, {V(0), V(5), V(6)}), V(3), V(4)},
+                   {{3, later(1, 200)}, {4, later(2, 200)}},
+                   {},
+                   {"X"}};
+  knowledge.AddModel({cm, Origin::kSeed, {}, {}, {}, {}, false, ModelState::kActive, {}});
+  knowledge.AddModel({veto, Origin::kSeed, {}, {}, {}, {}, false, ModelState::kActive, {}});
+  // then title and explanation say how long before, so that it is told from one of the same time.
+  EXPECT_EQ(DelayOf(veto), Milliseconds(200));
+  EXPECT_EQ(TitleOf(knowledge, ModelId{2}), "veto: lift something heavy, seen 0.2 s before");
+  EXPECT_EQ(ExplanationOf(knowledge, ModelId{2}),
+            "If X weight heavy, then 0.2 s later it is not so that lift [X] makes X level up.");
+  // A causal model's own time from cause to effect is not meant.
+  EXPECT_EQ(DelayOf(cm), std::nullopt);
+}
+
+TEST(DescribeTest, WhatTwoNestedStatesSayIsSaidOnce) {
+  // Given a state of two states that both say where the hand is,
+  KnowledgeBase knowledge;
+  const auto state = [](std::int64_t id, std::vector<FactPattern> components) {
+    return CompositeStateRecord{{{id}, std::move(components), {}, {"H", "P"}}, Origin::kSeed, {}, {}, {}, {}};
+  };
+  const FactPattern at{true, MakeValue(V(0), O("position"), V(1)), V(2), V(3)};
+  knowledge.AddCompositeState(state(1, {at, {true, MakeValue(V(0), O("essence"), O("hand")), V(2), V(3)}}));
+  knowledge.AddCompositeState(state(2, {{true, MakeValue(V(0), O("grip"), O("open")), V(2), V(3)}, at}));
+  const auto instance = [](std::int64_t of) {
+    return FactPattern{true, MakeIcst({of}, {}, {V(0), V(1)}), V(2), V(3)};
+  };
+  knowledge.AddCompositeState(state(3, {instance(1), instance(2)}));
+  // then what the second says besides is told whole, and what it says again is left out.
+  const auto state_of = [&](std::int64_t id) { return knowledge.Find(CompositeStateId{id})->state; };
+  EXPECT_THAT(TextsOf(ConditionsOf(knowledge, state_of(3))), ElementsAre("H hand at P", "H grip open, at P"));
+  // Given one that says nothing new, then what says it stands for both components.
+  knowledge.AddCompositeState(state(4, {instance(1), at}));
+  const std::vector<Condition> conditions = ConditionsOf(knowledge, state_of(4));
+  EXPECT_THAT(TextsOf(conditions), ElementsAre("H hand at P"));
+  EXPECT_THAT(conditions[0].components, ElementsAre(0u, 1u));
+}
+
 TEST(DescribeTest, MissingNamesAreMadeByRole) {
   KnowledgeBase knowledge;
   CompositeState state{

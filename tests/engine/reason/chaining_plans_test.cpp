@@ -248,6 +248,68 @@ TEST(Veto, TheSimulationNamesTheVetoThatDisabledTheStep) {
   EXPECT_THAT(SkipReasons(mind), Contains("vetoed"));
 }
 
+// The bodies of the events that caused the one event of this kind.
+template <class Body>
+std::vector<const Event*> CausesOfThe(const ToyMind& mind) {
+  std::vector<const Event*> causes;
+  for (const Event& event : mind.events.events) {
+    if (!std::holds_alternative<Body>(event.body)) continue;
+    for (const EventId cause : event.causes)
+      causes.push_back(&mind.events.events[static_cast<std::size_t>(cause.value) - 1]);
+  }
+  return causes;
+}
+template <class Body>
+const Event* OneOf(const std::vector<const Event*>& events) {
+  const auto found = std::find_if(events.begin(), events.end(), [](const Event* event) {
+    return std::holds_alternative<Body>(event->body);
+  });
+  return found == events.end() ? nullptr : *found;
+}
+
+TEST(MissedDrive, NamesThePlansThatWereRejectedForItLast) {
+  // own. Given a drive whose only plan is vetoed in each of three frames,
+  ToyMind mind;
+  KnowFloor(&mind, 1, false);
+  const auto see = [&] {
+    mind.See({Value(E("h"), "awake", O("yes")), Value(E("h"), "place", O("door")),
+              Value(E("floor"), "wet", O("yes"))});
+  };
+  see();
+  mind.Want(Value(E("h"), "place", O("table")), 3);
+  for (int frame = 0; frame < 3; ++frame) {
+    EXPECT_EQ(mind.Act(), "");
+    see();
+  }
+  // when its time is over, then it was missed because of the plan rejected last, and of the veto that stood
+  // against it.
+  const std::vector<const Event*> causes = CausesOfThe<GoalFailed>(mind);
+  EXPECT_NE(OneOf<DriveInjected>(causes), nullptr);
+  const Event* rejected = OneOf<PlanRejected>(causes);
+  ASSERT_NE(rejected, nullptr);
+  const Event* last = nullptr;
+  for (const Event& event : mind.events.events) {
+    if (std::holds_alternative<PlanRejected>(event.body)) last = &event;
+  }
+  EXPECT_EQ(rejected, last);
+  const Event* skipped = OneOf<GoalSkipped>(causes);
+  ASSERT_NE(skipped, nullptr);
+  EXPECT_EQ(std::get<GoalSkipped>(skipped->body).reason, GoalSkipReason::kVetoed);
+}
+
+TEST(MissedDrive, NamesThePromiseThatWasNotKept) {
+  // own. Given a drive that a step promised to reach in time, and the step does nothing,
+  ToyMind mind;
+  KnowFloor(&mind, 1, false);
+  const auto see = [&] { mind.See({Value(E("h"), "awake", O("yes")), Value(E("h"), "place", O("door"))}); };
+  see();
+  mind.Want(Value(E("h"), "place", O("table")), 1);
+  EXPECT_EQ(mind.Act(), "(cmd go [h])");
+  see();
+  // then it was missed because of the prediction that failed.
+  EXPECT_NE(OneOf<PredictionFailed>(CausesOfThe<GoalFailed>(mind)), nullptr);
+}
+
 TEST(Veto, OneThatIsLessSureThanWhatAllowsTheStepDoesNotStopIt) {
   // OpenAERA (semantics 3.3). Given a veto of .5 against a requirement of 1, then the step is taken.
   ToyMind mind;
