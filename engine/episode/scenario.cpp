@@ -406,6 +406,10 @@ const Term* PositionIn(std::span<const Fact> observed, const Term& entity, const
 Result<Scenario> LoadScenario(const std::string& path) {
   const Result<std::string> text = ReadTextFile(path, "a scenario file");
   if (!text) return text.error();
+  if (text->starts_with("SQLite format 3")) {
+    return Error{path + ": expected a scenario, found an episode, which was run already; `aerascope report " +
+                 path + "` shows it"};
+  }
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   ScenarioReader reader(path, {folder.string(), nullptr});
   return reader.Read(*text, [&](const std::string& name) -> Result<ScenarioReader::SeedText> {

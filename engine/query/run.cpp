@@ -228,17 +228,16 @@ Result<ObjectId> Run::FindObject(std::string_view text) const {
   if (!id || CreationOf(*id).valid()) return id;
   std::string message = "there is no " + IdText(*id) + " in this episode";
   const std::string nearest = NearestTo(*id);
-  if (!nearest.empty()) message += "; did you mean " + nearest + "?";
+  const std::string same_number = SameNumber(*id);
+  if (!nearest.empty()) message += "; the nearest is " + nearest;
+  if (!same_number.empty()) message += (nearest.empty() ? "; " : ", and ") + same_number + " has that number";
   return Error{message};
 }
 
+// Of the same kind.
 std::string Run::NearestTo(const ObjectId& id) const {
   const std::int64_t number = NumberOf(id);
   if (std::holds_alternative<EventId>(id)) return events().empty() ? "" : IdText(events().back().id);
-  // All objects share one numbering: most often only the kind was mistaken.
-  for (std::size_t kind = 1; kind < kPrefixes.size(); ++kind) {
-    if (CreationOf(MakeObjectId(kind, number)).valid()) return IdText(kind, number);
-  }
   const auto& numbers = creations_[id.index()];
   if (numbers.empty()) return {};
   const auto distance = [&](const auto& entry) {
@@ -249,6 +248,16 @@ std::string Run::NearestTo(const ObjectId& id) const {
     return distance(a) < distance(b);
   });
   return IdText(id.index(), nearest->first);
+}
+
+// Of another kind: all objects share one numbering, so the kind may have been mistaken.
+std::string Run::SameNumber(const ObjectId& id) const {
+  if (std::holds_alternative<EventId>(id)) return {};
+  const std::int64_t number = NumberOf(id);
+  for (std::size_t kind = 1; kind < kPrefixes.size(); ++kind) {
+    if (CreationOf(MakeObjectId(kind, number)).valid()) return IdText(kind, number);
+  }
+  return {};
 }
 
 const Fact* Run::FindFact(FactId id) const {

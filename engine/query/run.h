@@ -111,6 +111,7 @@ class Run {
   void IndexFrames();
   void FoldKnowledge();
   std::string NearestTo(const ObjectId& id) const;
+  std::string SameNumber(const ObjectId& id) const;
 
   EpisodeFile file_;
   EpisodeStarted started_;

@@ -7,6 +7,7 @@
 #include "engine/kb/term_codec.h"
 #include "engine/query/describe.h"
 #include "engine/query/episode_summary.h"
+#include "engine/query/words.h"
 
 namespace aerascope {
 namespace {
@@ -219,13 +220,23 @@ std::string SentenceOf(const SettingDifference& setting, const std::string& left
          Printable(*setting.right) + " in " + right + ".";
 }
 
-std::string SentenceOf(const FileDifference& file, const std::string& left, const std::string& right) {
+std::string SentenceOf(const FileDifference& file) {
   const std::string name = Printable(file.name);
-  if (!file.right) return "Only " + left + " has the file " + name + ".";
-  if (!file.left) return "Only " + right + " has the file " + name + ".";
   const std::size_t lines = file.lines.lines.size() + file.lines.hidden;
   if (lines == 0) return "The file " + name + " is another one.";
   return "The file " + name + " differs in " + std::to_string(lines) + (lines == 1 ? " line." : " lines.");
+}
+
+// The files that one run has alone, in one sentence: a world with meshes has many.
+std::string AloneSentence(const std::vector<std::string>& names, const std::string& side) {
+  constexpr std::size_t kNamed = 3;
+  if (names.size() == 1) return "Only " + side + " has the file " + names.front() + ".";
+  std::vector<std::string> shown = names;
+  if (names.size() > kNamed + 1) {
+    shown.resize(kNamed);
+    shown.push_back(std::to_string(names.size() - kNamed) + " more");
+  }
+  return "Only " + side + " has the files " + InWords(shown) + ".";
 }
 
 std::string SentenceOf(const PartingOfRuns& parting, const std::string& left, const std::string& right) {
@@ -259,8 +270,16 @@ std::vector<std::string> SentencesOf(const RunDiff& difference, const std::strin
   std::vector<std::string> sentences;
   for (const SettingDifference& setting : difference.settings)
     sentences.push_back(SentenceOf(setting, left_name, right_name));
-  for (const FileDifference& file : difference.files)
-    sentences.push_back(SentenceOf(file, left_name, right_name));
+  std::vector<std::string> left_alone;
+  std::vector<std::string> right_alone;
+  for (const FileDifference& file : difference.files) {
+    if (file.left && file.right)
+      sentences.push_back(SentenceOf(file));
+    else
+      (file.left ? left_alone : right_alone).push_back(Printable(file.name));
+  }
+  if (!left_alone.empty()) sentences.push_back(AloneSentence(left_alone, left_name));
+  if (!right_alone.empty()) sentences.push_back(AloneSentence(right_alone, right_name));
   if (difference.parting) sentences.push_back(SentenceOf(*difference.parting, left_name, right_name));
   for (const DriveDifference& drive : difference.drives) {
     if (drive.left == drive.right) continue;

@@ -123,6 +123,15 @@ class BadCommandLine(EndToEndTest):
         self.assert_refused("repotr", "x.episode", says=["did you mean 'report'?"])
         self.assert_refused("xyzzyplugh", says=["'xyzzyplugh'"])
 
+    def test_an_unknown_option(self):
+        self.assert_refused("run", "x.toml", "--otput", "y.episode", says=["'--otput'", "did you mean '--output'?", "aerascope run --help"])
+        self.assert_refused("report", "x.episode", "--sieze=3x3", says=["'--sieze'", "did you mean '--size'?"])
+        self.assert_refused("kb", "x.episode", "--plugh", says=["there is no option '--plugh'"])
+
+    def test_an_episode_where_a_scenario_is_expected(self):
+        self.assert_refused("run", scripted_episode(), "-o", "new.episode",
+                            says=["expected a scenario", "found an episode", "aerascope report"])
+
     def test_no_command(self):
         self.assert_refused(says=["aerascope --help"])
 

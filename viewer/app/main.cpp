@@ -38,6 +38,22 @@ std::string SuggestionFor(const CLI::App& app, int argc, char** argv) {
   return "";
 }
 
+// The option of the subcommand most like one that was typed and is not known.
+std::string SuggestionForOption(const CLI::App& command, int argc, char** argv) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  }
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    word = word.substr(0, word.find('='));
+    if (!word.starts_with("--") || std::find(known.begin(), known.end(), word) != known.end()) continue;
+    const std::string closest = ClosestWord(word, known);
+    return "there is no option '" + word + "'" + (closest.empty() ? "" : "; did you mean '" + closest + "'?");
+  }
+  return "";
+}
+
 // Whether nobody reads standard output any more, as behind `| head`: what was to be said has been heard.
 bool ReaderWentAway() {
   pollfd output{STDOUT_FILENO, 0, 0};
@@ -47,6 +63,8 @@ bool ReaderWentAway() {
 int ReportUse(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
   std::string sentence = SuggestionFor(app, argc, argv);
+  if (const auto commands = app.get_subcommands(); sentence.empty() && !commands.empty())
+    sentence = SuggestionForOption(*commands.front(), argc, argv);
   if (sentence.empty()) sentence = error.what();
   for (char& c : sentence) {
     if (c == '\n') c = ' ';

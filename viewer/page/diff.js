@@ -211,7 +211,14 @@ class DiffPage {
       pane.append(table(settings.slice(0, 5)));
       if (settings.length > 5) pane.append(el("details", {}, el("summary", { text: `${settings.length - 5} more settings` }), table(settings.slice(5))));
     }
-    for (const file of files) pane.append(this.fileNote(file));
+    // Files that both have first; what one has alone may be many, such as the meshes of a world.
+    for (const file of files) if (file.left && file.right) pane.append(this.fileNote(file));
+    for (const side of ["left", "right"]) {
+      const alone = files.filter((file) => file[side] && !(file.left && file.right));
+      const name = letter(side === "left" ? "A" : "B");
+      if (alone.length > 2) pane.append(el("details", {}, el("summary", {}, "Only ", name, ` has ${alone.length} more files`), el("ul", { class: "files" }, ...alone.map((file) => el("li", { text: file.name })))));
+      else for (const file of alone) pane.append(el("p", { class: "note" }, "Only ", name, ` has the file ${file.name}.`));
+    }
     pane.append(el("h2", { text: "Where do the runs part?" }));
     if (!parting) { pane.append(el("p", { class: "note", text: "Nowhere: the same commands, knowledge and outcomes, frame by frame." })); return; }
     pane.append(el("p", { class: "note", text: `After ${plural(parting.common, "common step")}:` }));
@@ -219,7 +226,6 @@ class DiffPage {
     pane.append(el("div", { class: "steps" }, ...step("A", parting.left), ...step("B", parting.right)));
   }
   fileNote(file) {
-    if (!file.left || !file.right) return el("p", { class: "note" }, "Only ", letter(file.left ? "A" : "B"), ` has the file ${file.name}.`);
     const count = file.lines.length + file.hidden;
     if (!count) return el("p", { class: "note", text: `The file ${file.name} is another one.` });
     const lines = file.lines.flatMap(([side, number, text]) => [letter(side), el("span", { class: "number", text: String(number) }), el("code", { text })]);

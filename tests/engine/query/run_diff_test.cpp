@@ -59,6 +59,18 @@ TEST(RunDiffTest, LinesOfTheScenarioThatDifferAreNamed) {
               ElementsAre(Line{true, 2, "b"}, Line{false, 2, "x"}, Line{true, 4, "d"}));
 }
 
+TEST(RunDiffTest, FilesThatOnlyOneHasAreOneSentence) {
+  // Given a run in a world of many meshes and one without, then the meshes are not a sentence each.
+  EpisodeHeader meshes = HeaderWith("");
+  for (const char* name : {"a", "b", "c", "d", "e"})
+    meshes.files.push_back({"world/" + std::string(name) + ".msh", name});
+  EpisodeHeader seed = HeaderWith("");
+  seed.files.push_back({"seed.replicode", "x"});
+  EXPECT_THAT(SentencesOf(DiffRuns({RunOf({}, meshes)}, {RunOf({}, seed)}), "A", "B"),
+              ElementsAre("Only A has the files world/a.msh, world/b.msh, world/c.msh and 2 more.",
+                          "Only B has the file seed.replicode."));
+}
+
 TEST(RunDiffTest, StoriesPartWhereTheOutcomeIsAnother) {
   PaperEpisodeOptions slips;
   slips.cylinder_slips = true;

@@ -38,11 +38,13 @@ TEST(RunTest, AnObjectThatIsNotThereNamesTheOneMeant) {
   const auto run = PaperRun();
   const ModelId model = run.final_knowledge().models().begin()->first;
   const std::string wrong_kind = "cst_" + std::to_string(model.value);
-  EXPECT_EQ(run.FindObject(wrong_kind).error().message,
-            "there is no " + wrong_kind + " in this episode; did you mean " + IdText(model) + "?");
-  EXPECT_NE(
-      run.FindObject("#100000").error().message.find("did you mean #" + std::to_string(run.events().size())),
-      std::string::npos);
+  const std::string message = run.FindObject(wrong_kind).error().message;
+  EXPECT_TRUE(message.starts_with("there is no " + wrong_kind + " in this episode; the nearest is cst_"))
+      << message;
+  EXPECT_TRUE(message.ends_with(", and " + IdText(model) + " has that number")) << message;
+  EXPECT_NE(run.FindObject("#100000").error().message.find("the nearest is #" +
+                                                           std::to_string(run.events().size())),
+            std::string::npos);
   EXPECT_TRUE(run.FindObject(IdText(model)));
 }
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "tests/support/hostile_texts.h"
 #include "tests/viewer/page/page_fixture.h"
@@ -44,6 +43,18 @@ PageFixture UpToFrame(int frame) {
   PageFixture fixture;
   fixture.episode.last_frame = frame;
   return fixture;
+}
+
+// What the page's elements point to.
+std::vector<std::string> AddressesIn(const std::string& page) {
+  std::vector<std::string> addresses;
+  for (const std::string_view attribute : {"src=\"", "href=\""}) {
+    for (std::size_t at = page.find(attribute); at != std::string::npos; at = page.find(attribute, at + 1)) {
+      const std::size_t begin = at + attribute.size();
+      addresses.push_back(page.substr(begin, page.find('"', begin) - begin));
+    }
+  }
+  return addresses;
 }
 
 TEST(DiffPage, OfARunWithItselfHasNoDifference) {
@@ -97,7 +108,9 @@ TEST(DiffPage, MayLoadNothingAndRunsOnlyItsOwnScript) {
   EXPECT_THAT(page, HasSubstr("default-src 'none'; script-src 'sha256-"));
   EXPECT_THAT(page, Not(HasSubstr("unsafe")));
   EXPECT_THAT(page, Not(HasSubstr("@data@")));
-  EXPECT_FALSE(std::regex_search(page, std::regex("(src|href)=\"(?!#|data:,)")));
+  for (const std::string& address : AddressesIn(page)) {
+    EXPECT_TRUE(address.starts_with("#") || address.starts_with("data:,")) << address;
+  }
 }
 
 TEST(DiffPage, AnIncompleteRunIsSaidToBeOne) {
