@@ -304,6 +304,13 @@ class BadOutput(EndToEndTest):
                 self.assertEqual(program.returncode, 2)
                 self.assert_one_sentence(said, ["No space left on device"])
 
+    def test_a_reader_that_has_seen_enough(self):
+        for command in (["kb", scripted_episode()], ["why", scripted_episode(), "#200"], ["events", scripted_episode()]):
+            with self.subTest(command=command[0]), start(*command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as program:
+                program.stdout.close()
+                self.assertEqual(program.stderr.read().decode(), "")
+                self.assertEqual(program.wait(PATIENCE_S), 0)
+
     def mounted(self, options, command):
         """Runs a command in a folder `disk` that is a file system of its own; then prints what is on it."""
         wrapper = own_mounts()
