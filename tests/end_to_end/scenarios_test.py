@@ -339,6 +339,11 @@ class TwoWays(EndToEndTest):
         rejected = [body for body in bodies(self.NAME, "PlanRejected") if body["simulation"] in committed["candidates"]]
         self.assertEqual([(body["reason"], body["score"]) for body in rejected], [("lower_score", 0.75 * 0.75)])
 
+    def test_the_picture_of_goals_marks_the_way_taken_and_names_the_one_that_lost(self):
+        svg = call("view", episode_of(self.NAME), "--what", "goals", "-o", "-").out
+        self.assertIn(">chosen, 1: press [jar], then twist [jar]<", svg)
+        self.assertIn(">not chosen, 0.562: pull [jar]<", svg)
+
     def test_the_pull_is_less_sure_for_what_was_seen_of_it(self):
         pull = next(body["model"]["id"] for body in bodies(self.NAME, "ModelCreated")
                     if "(cmd pull " in body["model"]["definition"])

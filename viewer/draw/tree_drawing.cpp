@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "engine/base/text.h"
 #include "engine/query/describe.h"
 #include "viewer/draw/marks.h"
 #include "viewer/draw/svg.h"
@@ -22,11 +23,13 @@ struct TextBox {
   std::string id;       // as IdText writes it
   std::string heading;  // in grey over the text: when, which
   std::vector<std::string> lines;
-  bool asked = false;  // the one the drawing is about
+  std::vector<std::string> notes = {};  // in grey below the text
+  bool asked = false;                   // the one the drawing is about, or on the way that was taken
   Outcome outcome = Outcome::kOpen;
 
   Size size() const {
-    return {kBoxWidth, 26 + kLineHeight * static_cast<int>(std::max<std::size_t>(1, lines.size()))};
+    return {kBoxWidth,
+            26 + kLineHeight * static_cast<int>(std::max<std::size_t>(1, lines.size()) + notes.size())};
   }
 };
 
@@ -54,6 +57,10 @@ void DrawBox(Svg& svg, const TextBox& box, const Rect& rect) {
   int base_line = rect.y + 33;
   for (const std::string& line : box.lines) {
     svg.Text(rect.x + 12, base_line, line, {});
+    base_line += kLineHeight;
+  }
+  for (const std::string& note : box.notes) {
+    svg.Text(rect.x + 12, base_line, note, {"d-3", 11});
     base_line += kLineHeight;
   }
   svg.Close();
@@ -114,18 +121,59 @@ std::string CauseTreeSvg(const Run& run, const CauseTree& tree, CauseDirection d
                 theme);
 }
 
+namespace {
+
+// Which goals the plans committed to went through: those set in the same decision by the models of the plan's
+// steps, and the goals that these serve.
+std::vector<bool> GoalsOfChosenPlans(const GoalTree& tree) {
+  std::set<std::pair<Time, ModelId>> used;
+  for (const GoalNode& goal : tree.goals) {
+    for (const PlanRecord& plan : goal.plans) {
+      if (!plan.committed) continue;
+      for (const PlanStep& step : plan.steps) {
+        used.emplace(plan.time, step.causal_model);
+        used.emplace(plan.time, step.requirement);
+      }
+    }
+  }
+  std::vector<bool> chosen(tree.goals.size(), false);
+  for (std::size_t i = 0; i < tree.goals.size(); ++i) {
+    if (!tree.goals[i].model.valid() || !used.contains({tree.goals[i].time, tree.goals[i].model})) continue;
+    for (std::size_t at = i; !chosen[at]; at = tree.goals[at].parent) chosen[at] = true;
+  }
+  return chosen;
+}
+
+// A plan in a line: what came of it, how sure it was, its commands.
+std::string PlanNote(const Run& run, const PlanRecord& plan) {
+  std::vector<std::string> steps;
+  for (const PlanStep& step : plan.steps) steps.push_back(StepText(run.final_knowledge(), step));
+  return FitText((plan.committed ? "chosen, " : "not chosen, ") + FormatConfidence(plan.score) + ": " +
+                     (steps.empty() ? "nothing" : Join(steps, ", then ")),
+                 kBoxWidth - 24, 11);
+}
+
+}  // namespace
+
 std::string GoalTreeSvg(const Run& run, const GoalTree& tree, const Theme& theme) {
+  constexpr std::size_t kMostPlans = 6;
+  const std::vector<bool> chosen = GoalsOfChosenPlans(tree);
   GraphToPlace graph;
   std::vector<TextBox> boxes;
   const std::size_t count = std::min(tree.goals.size(), kMaxDrawnBoxes);
   for (std::size_t i = 0; i < count; ++i) {
     const GoalNode& goal = tree.goals[i];
     std::string heading = SecondsText(goal.time) + (goal.drive ? ", drive" : ", sub-goal");
-    if (goal.model.valid()) {
-      heading += " by " + FitText(TitleOf(run.final_knowledge(), goal.model), kBoxWidth - 130, 11);
-    }
+    if (goal.model.valid()) heading += " by " + IdText(goal.model);
     boxes.push_back(MakeBox(IdText(goal.goal), std::move(heading), goal.title));
     boxes.back().outcome = goal.outcome;
+    boxes.back().asked = chosen[i];
+    for (const PlanRecord& plan : goal.plans) {
+      if (boxes.back().notes.size() == kMostPlans) break;
+      boxes.back().notes.push_back(PlanNote(run, plan));
+    }
+    if (goal.plans.size() > kMostPlans)
+      boxes.back().notes.push_back("and " + std::to_string(goal.plans.size() - kMostPlans) + " more plans");
     graph.nodes.push_back(boxes.back().size());
     if (goal.parent != i && goal.parent < count) graph.links.push_back({goal.parent, i});
   }

@@ -119,6 +119,18 @@ TEST(GraphDrawing, ACauseTreeHasABoxForEachEventAndMarksTheOneAskedAbout) {
   EXPECT_EQ(CountOf(svg, "class=\"d-card d-chosen\""), 1u);
 }
 
+TEST(GraphDrawing, AGoalTreeSaysWhichPlansWereChosenAndMarksTheirWay) {
+  // Given a run of drives that plans were committed to,
+  const aerascope::Run run = PaperRun();
+  const GoalTree tree = MakeGoalTree(run);
+
+  const std::string svg = GoalTreeSvg(run, tree, LightTheme());
+
+  // then each plan stands in the goal it was made for, and the goals it went through are marked, with all above them.
+  EXPECT_EQ(CountOf(svg, ">chosen, "), run.OfKind<PlanCommitted>().size());
+  EXPECT_GE(CountOf(svg, "class=\"d-card d-chosen\""), 2u);
+}
+
 TEST(GraphDrawing, TreesBeyondTheLimitSayWhatIsLeftOut) {
   const aerascope::Run run = LongRun(400);
 
