@@ -38,12 +38,13 @@ void Apply(const Event& event, KnowledgeBase* knowledge_base) {
                          ModelState::kActive,
                          {},
                          {},
-                         false});
+                         false,
+                         {}});
           },
           [&](const EvidenceUpdated& e) { kb.SetEvidence(e.model, e.after, e.strong_after, event.id); },
           [&](const ModelStateChanged& e) {
             const bool failed = e.after == ModelState::kDeleted && e.reason == StateChangeReason::kRating;
-            kb.SetState(e.model, e.after, failed);
+            kb.SetState(e.model, e.after, failed, event.id);
           },
           [&](const PredictionMade& e) {
             kb.OpenPrediction({e.prediction, e.model, e.requirements, e.target, event.id, e.grounds});

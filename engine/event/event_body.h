@@ -539,7 +539,10 @@ struct SimulationEnded {
   SimulationId simulation;
   SimulationOutcome outcome = SimulationOutcome::kNotReached;
   static constexpr std::string_view kName = "SimulationEnded";
-  static constexpr std::string_view kMeaning = "The tried plan reached its goal, or did not.";
+  static constexpr std::string_view kMeaning =
+      "The tried plan reached its goal, or did not; always at the instant it began, so that nothing can put "
+      "an "
+      "end to it before.";
   static constexpr auto Fields() {
     return std::tuple{Field{"simulation", "the simulation", &SimulationEnded::simulation},
                       Field{"outcome", "reached; a step was not enabled; or the end was another",
@@ -857,18 +860,20 @@ struct GoalResumed {
 enum class GoalDropReason {
   kSuperGoalClosed,          // what it served is reached or missed
   kRequirementContradicted,  // the condition it was to use is known not to work now
-  kReplaced,                 // the same is wanted anew by a later plan
+  kReplaced,                 // a later plan goes another way
+  kNoPlan,                   // no plan leads there any more
 };
 template <>
-inline constexpr std::array<std::string_view, 3> kEnumNames<GoalDropReason>{
-    "super_goal_closed", "requirement_contradicted", "replaced"};
+inline constexpr std::array<std::string_view, 4> kEnumNames<GoalDropReason>{
+    "super_goal_closed", "requirement_contradicted", "replaced", "no_plan"};
 
 struct GoalDropped {
   GoalId goal;
   GoalDropReason reason = GoalDropReason::kSuperGoalClosed;
   static constexpr std::string_view kName = "GoalDropped";
   static constexpr std::string_view kMeaning =
-      "A goal is not pursued any more, without being reached or missed.";
+      "A goal is not pursued any more, without being reached or missed. Where the plan it belonged to is "
+      "given up, its causes are what speaks against that plan, and the choice of it.";
   static constexpr auto Fields() {
     return std::tuple{Field{"goal", "the goal", &GoalDropped::goal},
                       Field{"reason", "why not", &GoalDropped::reason}};

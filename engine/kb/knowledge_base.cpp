@@ -153,12 +153,13 @@ void KnowledgeBase::SetEvidence(ModelId id, Evidence evidence, bool strong, Even
   it->second.rated = event;
 }
 
-void KnowledgeBase::SetState(ModelId id, ModelState state, bool black_listed) {
+void KnowledgeBase::SetState(ModelId id, ModelState state, bool black_listed, EventId event) {
   const auto it = models_.find(id);
   if (it == models_.end()) return;
   Unindex(it->second);
   it->second.state = state;
   it->second.black_listed = black_listed;
+  it->second.moved = event;
   Index(it->second);
 }
 

@@ -67,6 +67,7 @@ struct ModelRecord {
   Canonical canonical;
   EventId rated = {};         // the last event that moved the evidence; invalid if none did
   bool black_listed = false;  // deleted because it failed: not to be learned again
+  EventId moved = {};         // the last event that changed the state; invalid if none did
 };
 
 struct GoalRecord {
@@ -132,7 +133,7 @@ class KnowledgeBase {
   void AddCompositeState(CompositeStateRecord record);  // computes the canonical form
   void AddModel(ModelRecord record);                    // computes the canonical form
   void SetEvidence(ModelId id, Evidence evidence, bool strong, EventId event = {});
-  void SetState(ModelId id, ModelState state, bool black_listed = false);
+  void SetState(ModelId id, ModelState state, bool black_listed = false, EventId event = {});
   void OpenGoal(GoalRecord record);
   void CloseGoal(GoalId id);
   void OpenPrediction(PredictionRecord record);

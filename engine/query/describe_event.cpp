@@ -160,7 +160,9 @@ std::string_view Words(GoalDropReason reason) {
     case GoalDropReason::kRequirementContradicted:
       return "its condition is known not to hold now";
     case GoalDropReason::kReplaced:
-      return "it is wanted anew";
+      return "another way was chosen";
+    case GoalDropReason::kNoPlan:
+      return "no plan leads there any more";
   }
   return {};
 }

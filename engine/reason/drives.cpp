@@ -157,41 +157,55 @@ std::optional<Wish> Drives::Decide(const Situation& situation, const OfferKnowle
 
   std::optional<Wish> wish;
   for (auto& [drive, decision] : decisions) {
-    EventId event;
-    drive->hindrances.clear();
-    for (const PendingEvent& outcome : decision.outcome) {
-      event = journal_.Write(commit, outcome.body, outcome.causes);
-      drive->hindrances.push_back(event);
-    }
-    if (decision.command) drive->hindrances = {event};
+    std::vector<EventId> outcomes;
+    for (const PendingEvent& outcome : decision.outcome)
+      outcomes.push_back(journal_.Write(commit, outcome.body, outcome.causes));
+    drive->hindrances = outcomes;
+    if (decision.command) drive->hindrances = {outcomes.back()};
     drive->hindrances.insert(drive->hindrances.end(), decision.hindrances.begin(), decision.hindrances.end());
-    DropOldPlan(*drive, decision, commit);
+    DropOldPlan(*drive, decision, outcomes, commit);
     drive->goals = decision.goals;
     drive->plan.clear();
     if (!decision.command) continue;
+    drive->committed = outcomes.back();
     drive->plan.assign(decision.steps.begin() + 1, decision.steps.end());
-    if (!decision.command->is(TermKind::kNil)) wish = Wish{*decision.command, drive->goal.id, event};
+    if (!decision.command->is(TermKind::kNil))
+      wish = Wish{*decision.command, drive->goal.id, drive->committed};
   }
   return wish;
 }
 
 // Where the new plan is not what was left of the old one, the conditions that the old one was to use are
-// given up.
-void Drives::DropOldPlan(const Drive& drive, const Decision& decision, Time now) {
+// given up. `outcome`: the events that say what was decided, the plan committed to last.
+void Drives::DropOldPlan(const Drive& drive, const Decision& decision, const std::vector<EventId>& outcome,
+                         Time now) {
   for (const Step& old : drive.plan) {
     if (!old.requirement.valid()) continue;
     const bool kept = std::any_of(decision.steps.begin(), decision.steps.end(),
                                   [&](const Step& step) { return step.requirement == old.requirement; });
     if (kept) continue;
+    GoalDropReason reason = decision.command ? GoalDropReason::kReplaced : GoalDropReason::kNoPlan;
+    std::vector<EventId> causes = outcome;
+    if (decision.command) {
+      causes = {outcome.back()};
+    } else if (outcome.empty() && !decision.goals.empty()) {
+      causes = {decision.goals.front().goal.event};  // that it looked again, in vain
+    }
     const ModelRecord* requirement = journal_.knowledge().Find(old.requirement);
-    const bool contradicted = !requirement || requirement->state != ModelState::kActive ||
-                              decision.vetoed.contains(old.causal_model);
+    const auto veto = decision.vetoed.find(old.causal_model);
+    if (requirement && requirement->state != ModelState::kActive) {
+      reason = GoalDropReason::kRequirementContradicted;
+      causes = {requirement->moved};
+    } else if (veto != decision.vetoed.end()) {
+      reason = GoalDropReason::kRequirementContradicted;
+      causes = {veto->second};
+    }
+    causes.push_back(drive.committed);
     for (const GoalLog::Line& line : drive.goals) {
       if (line.model != old.requirement) continue;
-      journal_.Write(now,
-                     GoalDropped{line.goal.id, contradicted ? GoalDropReason::kRequirementContradicted
-                                                            : GoalDropReason::kReplaced},
-                     {line.goal.event});
+      causes.push_back(line.goal.event);
+      journal_.Write(now, GoalDropped{line.goal.id, reason}, causes);
+      causes.pop_back();
     }
   }
 }

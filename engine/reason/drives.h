@@ -59,8 +59,10 @@ class Drives {
     Fact target;
     PredictionId promised_by;  // valid while suspended
     EventId suspended;
-    // Of the last decision: the plan committed to (the steps still to come) and the goals set.
+    // Of the last decision: the plan committed to (the steps still to come), where that was said, and the
+    // goals set.
     std::vector<Step> plan;
+    EventId committed;
     std::vector<GoalLog::Line> goals;
     // Why it is still open: a promise that was not kept; and of the last decision the plan chosen, or else
     // the plans rejected and what kept others from being found.
@@ -70,7 +72,8 @@ class Drives {
 
   void Close(const Drive& drive, bool reached, EventId because, Time now);
   EventId Miss(const Drive& drive, const Conclusions& concluded, Time now);
-  void DropOldPlan(const Drive& drive, const Decision& decision, Time now);
+  void DropOldPlan(const Drive& drive, const Decision& decision, const std::vector<EventId>& outcome,
+                   Time now);
 
   const ReasonerParameters& parameters_;
   Duration period_;

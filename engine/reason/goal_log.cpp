@@ -54,8 +54,11 @@ void GoalLog::Skip(const GoalEntry& super, const Fact& target, GoalSkipReason re
   const Fact closed = WithClosedPayload(target);
   if (!skipped_.insert(KeyOf(super.id, closed)).second) return;
   const EventId skipped = journal_.Write(now_, GoalSkipped{super.id, closed, reason}, {super.event, because});
-  if (reason == GoalSkipReason::kVetoed) vetoed_.push_back(skipped);
   if (Hinders(reason)) hindered_.push_back(skipped);
+  if (reason != GoalSkipReason::kVetoed) return;
+  vetoed_.push_back(skipped);
+  if (IsImdl(closed.payload) && closed.payload[0].is(TermKind::kModel))
+    refused_.emplace(closed.payload[0].model(), skipped);
 }
 
 }  // namespace aerascope

@@ -28,6 +28,8 @@ class GoalLog {
 
   // What was not pursued because of a veto, in order.
   const std::vector<EventId>& vetoed() const { return vetoed_; }
+  // Of these, the models whose instance was wanted.
+  const std::map<ModelId, EventId>& refused() const { return refused_; }
   // What was not pursued though it is wanted and not there: no way leads on from it. In order, those of a
   // veto too.
   const std::vector<EventId>& hindered() const { return hindered_; }
@@ -48,6 +50,7 @@ class GoalLog {
   std::vector<Line> lines_;
   std::vector<EventId> vetoed_;
   std::vector<EventId> hindered_;
+  std::map<ModelId, EventId> refused_;
 };
 
 }  // namespace aerascope

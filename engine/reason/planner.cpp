@@ -143,6 +143,7 @@ class Planner {
     const Choice choice = Choose(plans);
     Decision decision;
     for (const Tried& one : tried_) decision.vetoed.insert(one.trial.vetoed.begin(), one.trial.vetoed.end());
+    decision.vetoed.insert(goals_.refused().begin(), goals_.refused().end());
     for (std::size_t i = 0; i < plans.size(); ++i) {
       if (!choice.rejected[i]) continue;
       const Tried& one = tried_[i];

@@ -7,8 +7,8 @@
 // rejected plans, the choice. Work is bounded by counted nodes, not by time.
 #pragma once
 
+#include <map>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include "engine/reason/backward_chaining.h"
@@ -42,7 +42,7 @@ struct Decision {
   std::optional<Term> command;
   std::vector<PendingEvent> outcome;      // rejected plans, then the one committed to
   std::vector<Step> steps;                // of that plan
-  std::set<ModelId> vetoed;               // models of steps that a veto disabled in some plan
+  std::map<ModelId, EventId> vetoed;      // models that a veto stands against, and where that is said
   std::vector<GoalLog::Line> goals;       // all goals set for this decision
   std::vector<Prohibition> prohibitions;  // commands that would undo this goal
   // Where no plan was chosen: goals that no way led on from, and comparisons that gave no hypothesis.

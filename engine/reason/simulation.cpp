@@ -192,9 +192,10 @@ class Simulator {
     decided.status = record.state == ModelState::kPhasedOut ? ChainingStatus::kPhasedOut
                      : firing.requirements.empty()          ? ChainingStatus::kStrongDisabled
                                                             : ChainingStatus::kVetoed;
-    trial_.vetoed.push_back(record.model.id);
     const ModelRecord* winner = knowledge_.Find(decided.winner);
-    causes_of_end_.push_back(Write(decided, {because, record.event, winner ? winner->event : EventId{}}));
+    const EventId said = Write(decided, {because, record.event, winner ? winner->event : EventId{}});
+    trial_.vetoed.emplace(record.model.id, said);
+    causes_of_end_.push_back(said);
   }
 
   void LogDisabled(const ModelRecord& record, EventId because) {

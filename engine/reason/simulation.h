@@ -7,6 +7,7 @@
 // the plan has got to: a veto that has come to hold by then disables it.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "engine/reason/plan.h"
@@ -23,8 +24,8 @@ struct Trial {
   SimulationId simulation;
   EventId ended;
   SimulationOutcome outcome = SimulationOutcome::kNotReached;
-  std::vector<GoalId> harmed;   // goals that something predicted in it speaks against
-  std::vector<ModelId> vetoed;  // models of steps that a veto disabled
+  std::vector<GoalId> harmed;         // goals that something predicted in it speaks against
+  std::map<ModelId, EventId> vetoed;  // models of steps that a veto disabled, and where that is said
 };
 
 Trial Simulate(const Plan& plan, const Fact& target, const GoalEntry& goal,

@@ -122,6 +122,38 @@ class Repeats(EndToEndTest):
                 self.assertEqual([line[:4] for line in lines], ["ok  "] * 4, lines)
 
 
+class Simulations(EndToEndTest):
+    """Label: own; semantics 9, "SimOutcome / SimInvalidated". Trying a plan takes no time, so it ends, with an outcome, at
+    the instant it begins, and is never given up halfway. What is given up later is a plan that was chosen: goals dropped."""
+
+    def test_each_ends_with_an_outcome_at_the_instant_it_began(self):
+        for name in EXACT + PHYSICAL:
+            with self.subTest(scenario=name):
+                log = log_of(name)
+                inside = {}
+                for event in log:
+                    if event["simulation"]:
+                        inside.setdefault(event["simulation"], []).append(event)
+                for simulation, events_of_it in inside.items():
+                    kinds = [event["kind"] for event in events_of_it]
+                    self.assertEqual((kinds[0], kinds[-1]), ("SimulationStarted", "SimulationEnded"), simulation)
+                    self.assertEqual((kinds.count("SimulationStarted"), kinds.count("SimulationEnded")), (1, 1), simulation)
+                    self.assertEqual({(event["frame"], event["time_us"]) for event in events_of_it},
+                                     {(events_of_it[0]["frame"], events_of_it[0]["time_us"])}, simulation)
+                    ids = [event["id"] for event in events_of_it]
+                    self.assertEqual(ids, list(range(ids[0], ids[-1] + 1)), simulation)
+        tried = {name: sum(event["kind"] == "SimulationStarted" for event in log_of(name)) for name in EXACT + PHYSICAL}
+        self.assertGreater(sum(count > 0 for count in tried.values()), 5, tried)
+
+    def test_each_plan_that_was_tried_is_chosen_or_rejected_with_a_reason(self):
+        for name in EXACT + PHYSICAL:
+            with self.subTest(scenario=name):
+                tried = [body["simulation"] for body in bodies(name, "SimulationStarted")]
+                chosen = [body["chosen"] for body in bodies(name, "PlanCommitted")]
+                rejected = [body["simulation"] for body in bodies(name, "PlanRejected") if body["reason"]]
+                self.assertEqual(sorted(chosen + rejected), sorted(tried))
+
+
 class SizePrunedFirst(EndToEndTest):
     """Label of the oracle: paper, section 4; semantics 8.4 (an older seed of OpenAERA plays it) and 10.8."""
 

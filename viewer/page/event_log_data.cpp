@@ -51,7 +51,10 @@ bool SpeaksAgainst(const Event& event) {
                  [](const AnalogyCompared& e) {
                    return e.verdict != AnalogyVerdict::kAccepted && e.verdict != AnalogyVerdict::kNotRequired;
                  },
-                 [](const GoalDropped& e) { return e.reason == GoalDropReason::kRequirementContradicted; },
+                 [](const GoalDropped& e) {
+                   return e.reason == GoalDropReason::kRequirementContradicted ||
+                          e.reason == GoalDropReason::kNoPlan;
+                 },
                  [](const SimulationEnded& e) { return e.outcome != SimulationOutcome::kReached; },
                  [](const PlanRejected&) { return true; }, [](const CommandRefused&) { return true; },
                  [](const PredictionFailed&) { return true; },

@@ -152,5 +152,34 @@ TEST(EpisodeLaws, EverythingHasACause) {
   }));
 }
 
+// Own: a simulation is over at the instant it began, so that nothing it rests on can change meanwhile: it
+// ends once, with an outcome, and is never given up halfway.
+TEST(EpisodeLaws, EverySimulationEndsAtTheInstantItBegan) {
+  std::int64_t simulations = 0;
+  EXPECT_TRUE(Holds(2000, [&](std::uint64_t number) {
+    const Scenario scenario = Loaded(number);
+    auto world = MakeWorld(scenario);
+    RC_ASSERT(world.ok());
+    EventVector sink;
+    RC_ASSERT(RunEpisode(scenario, world->get(), &sink).ok());
+    const Event* open = nullptr;
+    for (const Event& event : sink.events) {
+      if (std::holds_alternative<SimulationStarted>(event.body)) {
+        if (open) RC_FAIL("inside another: " + ToText(event));
+        open = &event;
+        ++simulations;
+      }
+      const bool inside = open && event.simulation == open->simulation;
+      if (inside != event.simulation.valid() || inside != (open != nullptr))
+        RC_FAIL("not in the simulation that goes on: " + ToText(event));
+      if (inside && (event.time != open->time || event.frame != open->frame))
+        RC_FAIL("time went on: " + ToText(event));
+      if (std::holds_alternative<SimulationEnded>(event.body)) open = nullptr;
+    }
+    if (open) RC_FAIL("never ended: " + ToText(*open));
+  }));
+  EXPECT_GT(simulations, CasesToTry(300)) << "hardly anything was tried in the head, so little was tested";
+}
+
 }  // namespace
 }  // namespace aerascope

@@ -170,41 +170,129 @@ TEST(Promotion, ItsDefeatIsLoggedWithThePredictionAgainstIt) {
   EXPECT_TRUE(defeated[0]->by.valid());
 }
 
-TEST(Replanning, WhenTheConditionOfThePlanIsContradictedTheDriveIsPlannedAnew) {
+// ------------------------------------------------------------------------------------------- plans given up
+
+// h goes anywhere, and takes the cup where both are; also scoops it, less surely unless `scoop` says
+// otherwise. What is wet slips. `may_take` is how sure the condition for taking is.
+class Replanning : public testing::Test {
+ protected:
+  void Know(Evidence may_take_evidence, Evidence scoop_evidence, bool scoop_needs_wet) {
+    const CompositeState there = State(1, {Value(V(0), "place", V(4)), Value(V(3), "place", V(4))}, 1);
+    const CompositeState wet = State(2, {Value(V(0), "place", V(4)), Value(V(0), "wet", O("yes"))}, 1);
+    const CompositeState wet_there =
+        State(9, {Value(V(0), "place", V(4)), Value(V(3), "place", V(4)), Value(V(0), "wet", O("yes"))}, 1);
+    const Model go = Free(3, Command("go", {E("h"), V(3)}), Value(E("h"), "place", V(3)));
+    const Model take = Causal(4, Command("take", {V(2)}), Value(V(2), "holding", Just(V(3))));
+    const Model scoop = Causal(5, Command("scoop", {V(2)}), Value(V(2), "holding", Just(V(3))));
+    const std::vector<Term> exposed{V(0), V(1), V(5), V(6)};
+    const Model may_take = Requires(6, MakeIcst({1}, {}, {V(0), V(1), V(4)}), take, exposed, 2);
+    const Model may_scoop =
+        Requires(7, MakeIcst({scoop_needs_wet ? 9 : 1}, {}, {V(0), V(1), V(4)}), scoop, exposed, 2);
+    const Model slips = Requires(8, MakeIcst({2}, {}, {V(0), V(4)}), take,
+                                 {V(0), Term::Wildcard(), Term::Wildcard(), Term::Wildcard()}, 2, false);
+    std::vector<SeedModelDefinition> models{{go, {}, false},
+                                            {take, {}, false},
+                                            {scoop, scoop_evidence, false},
+                                            {may_take, may_take_evidence, false},
+                                            {may_scoop, {}, false}};
+    if (!scoop_needs_wet) models.push_back({slips, {}, false});
+    mind_.Know({}, {there, wet, wet_there}, models);
+  }
+
+  // The hand's place and whether it is wet; the cup is on the table, if it is to be seen.
+  void See(const char* place, const char* wet, bool cup = true) {
+    std::vector<Term> facts{Value(E("h"), "place", O(place)), Value(E("h"), "wet", O(wet)),
+                            Value(E("h"), "holding", None()), Value(E("key"), "place", O("door"))};
+    if (cup) facts.push_back(Value(E("cup"), "place", O("table")));
+    mind_.See(facts);
+  }
+  void WantTheCup() { mind_.Want(Value(E("h"), "holding", Just(E("cup")))); }
+
+  // "reason: kinds of its causes", for each goal dropped.
+  std::vector<std::string> Dropped() const {
+    std::vector<std::string> dropped;
+    for (const Event* event : mind_.Found<GoalDropped>()) {
+      std::string text(EnumName(std::get<GoalDropped>(event->body).reason));
+      text += ":";
+      for (const EventId cause : event->causes) text += " " + std::string(KindName(At(cause).body));
+      dropped.push_back(std::move(text));
+    }
+    return dropped;
+  }
+  const Event& At(EventId id) const { return mind_.events.events[static_cast<std::size_t>(id.value) - 1]; }
+  // What is given as the cause of the first goal dropped.
+  const Event& Reason() const { return At(mind_.Found<GoalDropped>().at(0)->causes.at(0)); }
+
+  ToyMind mind_;
+};
+
+TEST_F(Replanning, WhenTheConditionOfThePlanIsContradictedTheDriveIsPlannedAnew) {
   // OpenAERA (semantics 4.8: abduce again from the super-goal). Given a plan to go and take, when taking is
-  // vetoed by what has become of the hand, then the goal on its condition is dropped as contradicted and
-  // another way is found.
-  ToyMind mind;
-  const CompositeState there = State(1, {Value(V(0), "place", V(4)), Value(V(3), "place", V(4))}, 1);
-  const CompositeState wet = State(2, {Value(V(0), "place", V(4)), Value(V(0), "wet", O("yes"))}, 1);
-  const Model go = Free(3, Command("go", {E("h"), V(3)}), Value(E("h"), "place", V(3)));
-  const Model take = Causal(4, Command("take", {V(2)}), Value(V(2), "holding", Just(V(3))));
-  const Model scoop = Causal(5, Command("scoop", {V(2)}), Value(V(2), "holding", Just(V(3))));
-  const Model may_take =
-      Requires(6, MakeIcst({1}, {}, {V(0), V(1), V(4)}), take, {V(0), V(1), V(5), V(6)}, 2);
-  const Model may_scoop =
-      Requires(7, MakeIcst({1}, {}, {V(0), V(1), V(4)}), scoop, {V(0), V(1), V(5), V(6)}, 2);
-  const Model slips = Requires(8, MakeIcst({2}, {}, {V(0), V(4)}), take,
-                               {V(0), Term::Wildcard(), Term::Wildcard(), Term::Wildcard()}, 2, false);
-  mind.Know({}, {there, wet},
-            {{go, {}, false},
-             {take, {}, false},
-             {scoop, Evidence{3, 4}, false},
-             {may_take, {}, false},
-             {may_scoop, {}, false},
-             {slips, {}, false}});
-  mind.See({Value(E("h"), "place", O("door")), Value(E("h"), "wet", O("no")),
-            Value(E("cup"), "place", O("table"))});
-  mind.Want(Value(E("h"), "holding", Just(E("cup"))));
-  EXPECT_EQ(mind.Act(), "(cmd go [h table])");
-  EXPECT_EQ(mind.All<PlanCommitted>().back()->score, 1);
+  // vetoed by what has become of the hand, then the goal on its condition is dropped as contradicted, by the
+  // veto's word in the simulation that tried it again, and another way is found.
+  Know({}, {3, 4}, false);
+  See("door", "no");
+  WantTheCup();
+  EXPECT_EQ(mind_.Act(), "(cmd go [h table])");
+  EXPECT_EQ(mind_.All<PlanCommitted>().back()->score, 1);
   // It has begun to rain.
-  mind.See({Value(E("h"), "place", O("table")), Value(E("h"), "wet", O("yes")),
-            Value(E("cup"), "place", O("table"))});
-  EXPECT_EQ(mind.Act(), "(cmd scoop [h])");
-  std::vector<std::string> reasons;
-  for (const GoalDropped* dropped : mind.All<GoalDropped>()) reasons.emplace_back(EnumName(dropped->reason));
-  EXPECT_THAT(reasons, ElementsAre("requirement_contradicted"));
+  See("table", "yes");
+  EXPECT_EQ(mind_.Act(), "(cmd scoop [h])");
+  EXPECT_THAT(Dropped(), ElementsAre("requirement_contradicted: ChainingDecided PlanCommitted GoalSet"));
+  EXPECT_EQ(std::get<ChainingDecided>(Reason().body).status, ChainingStatus::kVetoed);
+  EXPECT_TRUE(Reason().simulation.valid());
+}
+
+TEST_F(Replanning, WhenTheConditionOfThePlanIsDeletedTheGoalOnItIsDroppedBecauseOfThat) {
+  // OpenAERA (semantics 4.8). Given a plan to go and take on a doubtful condition, when taking something else
+  // fails meanwhile, so that the condition is deleted, then the goal on it is dropped because of that.
+  Know({1, 2}, {1, 4}, false);
+  See("door", "no");
+  const Term take = Command("take", {E("h")});
+  mind_.reasoner.Executed(take, mind_.reasoner.CommandIssued(take, Commander::kTeacher, {}, {}));
+  WantTheCup();
+  EXPECT_EQ(mind_.Act(), "(cmd go [h table])");
+  See("table", "no");
+  mind_.Act();
+  EXPECT_THAT(Dropped(), ElementsAre("requirement_contradicted: ModelStateChanged PlanCommitted GoalSet"));
+  EXPECT_EQ(std::get<ModelStateChanged>(Reason().body).after, ModelState::kDeleted);
+}
+
+TEST_F(Replanning, WhatASurerPlanDoesNotUseIsReplacedByIt) {
+  // own. Given a plan to go and take, when a wet hand lets the cup be scooped more surely, then the goal on
+  // the condition for taking is dropped because of the new plan.
+  Know({3, 4}, {}, true);
+  See("door", "no");
+  WantTheCup();
+  EXPECT_EQ(mind_.Act(), "(cmd go [h table])");
+  See("table", "yes");
+  EXPECT_EQ(mind_.Act(), "(cmd scoop [h])");
+  EXPECT_THAT(Dropped(), ElementsAre("replaced: PlanCommitted PlanCommitted GoalSet"));
+  EXPECT_EQ(Reason().id, mind_.Found<PlanCommitted>().back()->id);
+}
+
+TEST_F(Replanning, WhereNothingLeadsToTheGoalAnyMoreThePlanIsGivenUp) {
+  // own. Given a plan to go and take, when the cup is gone, then the goal on the condition is dropped for
+  // want of a plan; the cause is that the same was wanted again, in vain.
+  Know({}, {3, 4}, false);
+  See("door", "no");
+  WantTheCup();
+  EXPECT_EQ(mind_.Act(), "(cmd go [h table])");
+  See("table", "no", false);
+  EXPECT_EQ(mind_.Act(), "");
+  EXPECT_THAT(Dropped(), ElementsAre("no_plan: GoalSet PlanCommitted GoalSet"));
+  EXPECT_EQ(Reason().time, Time{110'000});
+}
+
+TEST_F(Replanning, AsLongAsThePlanIsKeptNothingIsDropped) {
+  // own. Going on as planned drops nothing before the drive is settled.
+  Know({}, {3, 4}, false);
+  See("door", "no");
+  WantTheCup();
+  mind_.Act();
+  See("table", "no");
+  EXPECT_EQ(mind_.Act(), "(cmd take [h])");
+  EXPECT_THAT(Dropped(), IsEmpty());
 }
 
 RC_GTEST_PROP(PlanningLaw, TheOrderOfSimultaneousFactsDoesNotMatterToThePlan, ()) {
