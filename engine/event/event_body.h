@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -550,10 +551,36 @@ struct SimulationEnded {
   }
 };
 
+// What one plan of a decision was worth. Up to version 4 of the schema only the simulation was recorded.
+struct PlanCandidate {
+  SimulationId simulation;
+  double confidence = std::numeric_limits<double>::quiet_NaN();
+  double score = std::numeric_limits<double>::quiet_NaN();
+  Time reaches;
+  Time deadline;
+  static constexpr auto Fields() {
+    return std::tuple{
+        Field{"simulation", "the simulation in which the plan was tried", &PlanCandidate::simulation},
+        Field{"confidence",
+              "product of the confidences of all models along it; in openaera mode that of its last model",
+              &PlanCandidate::confidence},
+        Field{
+            "score",
+            "what plans are ranked by: the confidence; in openaera mode the confidence per second up to the "
+            "deadline",
+            &PlanCandidate::score},
+        Field{"reaches", "when its goal would be reached, microseconds; 0: it was not reached in the head",
+              &PlanCandidate::reaches},
+        Field{"deadline",
+              "when its last model must have fired for the goal to be reached in time, microseconds",
+              &PlanCandidate::deadline}};
+  }
+};
+
 struct PlanCommitted {
   GoalId goal;
   SimulationId chosen;
-  std::vector<SimulationId> candidates;
+  std::vector<PlanCandidate> candidates;
   double score = 0;
   static constexpr std::string_view kName = "PlanCommitted";
   static constexpr std::string_view kMeaning =
@@ -561,9 +588,9 @@ struct PlanCommitted {
   static constexpr auto Fields() {
     return std::tuple{Field{"goal", "the goal", &PlanCommitted::goal},
                       Field{"chosen", "the simulation of the chosen plan", &PlanCommitted::chosen},
-                      Field{"candidates", "all simulations of this decision, the chosen one included",
+                      Field{"candidates", "all plans of this decision, the chosen one included",
                             &PlanCommitted::candidates},
-                      Field{"score", "product of confidences of the chosen plan", &PlanCommitted::score}};
+                      Field{"score", "what the chosen plan is ranked by", &PlanCommitted::score}};
   }
 };
 

@@ -1,5 +1,6 @@
 // Events and frames in words.
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "engine/base/text.h"
@@ -443,8 +444,32 @@ class Teller {
     return {};
   }
   std::string Of(const PlanCommitted& e) const {
-    return "Chosen: the plan of " + IdText(e.chosen) + ", score " + FormatConfidence(e.score) + ", of " +
-           Plural(static_cast<std::int64_t>(e.candidates.size()), "plan", "plans") + ".";
+    const auto chosen =
+        std::find_if(e.candidates.begin(), e.candidates.end(),
+                     [&](const PlanCandidate& candidate) { return candidate.simulation == e.chosen; });
+    std::string text = "Chosen: the plan of " + IdText(e.chosen) + ", score " + FormatConfidence(e.score);
+    if (chosen != e.candidates.end() && chosen->reaches != Time{})
+      text += ", reaching the goal at " + SecondsText(chosen->reaches);
+    std::vector<std::string> others;
+    for (const PlanCandidate& candidate : e.candidates) {
+      if (candidate.simulation != e.chosen) others.push_back(CandidateText(candidate));
+    }
+    if (others.empty()) return text + "; it was the only one.";
+    constexpr std::size_t kMost = 4;
+    const std::size_t more = others.size() - std::min(others.size(), kMost);
+    if (more > 0) {
+      others.resize(kMost);
+      others.push_back(std::to_string(more) + " more");
+    }
+    return text + (e.candidates.size() == 2 ? "; the other: " : "; the others: ") + InWords(others) + ".";
+  }
+  // "sim_14 (score 0.56, at 1.2 s)".
+  static std::string CandidateText(const PlanCandidate& candidate) {
+    const std::string id = IdText(candidate.simulation);
+    if (std::isnan(candidate.score)) return id;  // from before it was recorded
+    const std::string when =
+        candidate.reaches == Time{} ? "does not get there" : "at " + SecondsText(candidate.reaches);
+    return id + " (score " + FormatConfidence(candidate.score) + ", " + when + ")";
   }
   std::string Of(const CommandIssued& e) const {
     return (e.by == Commander::kTeacher ? "The teacher commands " : "The agent commands ") + Text(e.command) +

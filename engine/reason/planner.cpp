@@ -131,14 +131,18 @@ class Planner {
   }
 
   Decision Commit() {
+    const AnalogyMode mode = context_.parameters.analogy_mode;
     std::vector<TriedPlan> plans;
-    std::vector<SimulationId> simulations;
+    std::vector<PlanCandidate> candidates;
     for (const Tried& one : tried_) {
+      const Time deadline = task_.target.interval.before - one.plan.solution_delay;
       const double score =
-          RankingScore(context_.parameters.analogy_mode, one.plan.score, one.plan.solution_confidence,
-                       task_.target.interval.before - one.plan.solution_delay, task_.now);
+          RankingScore(mode, one.plan.score, one.plan.solution_confidence, deadline, task_.now);
       plans.push_back({one.trial.outcome, one.mandatory, score, Harmed(one)});
-      simulations.push_back(one.trial.simulation);
+      const bool reached = one.trial.outcome == SimulationOutcome::kReached;
+      candidates.push_back({one.trial.simulation,
+                            mode == AnalogyMode::kPaper ? one.plan.score : one.plan.solution_confidence,
+                            score, reached ? one.trial.ends : Time{}, deadline});
     }
     const Choice choice = Choose(plans);
     Decision decision;
@@ -163,7 +167,7 @@ class Planner {
     }
     const Tried& best = tried_[*choice.chosen];
     decision.outcome.push_back(
-        {PlanCommitted{best.goal.id, best.trial.simulation, simulations, plans[*choice.chosen].score},
+        {PlanCommitted{best.goal.id, best.trial.simulation, candidates, plans[*choice.chosen].score},
          ReasonsFor(best)});
     decision.command = best.plan.steps.front().command;
     decision.steps = best.plan.steps;

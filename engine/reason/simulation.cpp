@@ -45,6 +45,7 @@ class Simulator {
         break;
       }
     }
+    trial_.ends = frame_.interval().after;
     trial_.ended = Write(SimulationEnded{trial_.simulation, trial_.outcome}, causes_of_end_);
     return std::move(trial_);
   }

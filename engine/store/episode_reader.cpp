@@ -149,12 +149,11 @@ class OpenFile {
       if (older()) return places;
       return Damaged("the table " + table.name + " is missing");
     }
-    const std::set<std::string>& columns = tables_.at(table.name);
     int next = 0;
-    for (const StoredColumn& column : table.columns) {
-      const bool there = columns.contains(column.name);
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const bool there = !NameIn(table, i).empty();
       if (!there && (!older() || next == 0)) {
-        return Damaged("the column " + column.name + " of the table " + table.name + " is missing");
+        return Damaged("the column " + table.columns[i].name + " of the table " + table.name + " is missing");
       }
       places.push_back(there ? next++ : -1);
     }
@@ -165,13 +164,23 @@ class OpenFile {
   Statement Select(const StoredTable& table, const std::vector<int>& places) {
     std::string columns;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (places[i] >= 0) columns += (columns.empty() ? "" : ",") + Quoted(table.columns[i].name);
+      if (places[i] >= 0) columns += (columns.empty() ? "" : ",") + Quoted(NameIn(table, i));
     }
     return database_.Prepare("SELECT " + columns + " FROM " + Quoted(table.name) + " ORDER BY " +
                              OrderSql(table));
   }
 
  private:
+  // What the file calls the i-th column of the table; empty if it has none. Where a list of plain values has
+  // become one of structs since the file was written, its values are the first field.
+  std::string NameIn(const StoredTable& table, std::size_t i) const {
+    const std::set<std::string>& columns = tables_.at(table.name);
+    if (columns.contains(table.columns[i].name)) return table.columns[i].name;
+    const bool first_field =
+        table.key == StoredTable::Key::kPosition && i == static_cast<std::size_t>(kListColumns);
+    return older() && first_field && columns.contains("value") ? "value" : "";
+  }
+
   bool TryOpen(const std::string& path, int flags) {
     tables_.clear();
     if (database_.Open(path, flags) != SQLITE_OK) return false;

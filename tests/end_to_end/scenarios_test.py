@@ -356,7 +356,7 @@ class TwoWays(EndToEndTest):
         ended = {body["simulation"]: body["outcome"] for body in bodies(self.NAME, "SimulationEnded")}
         tried = {body["simulation"]: body for body in bodies(self.NAME, "SimulationStarted")}
         return {tuple(step["command"] for step in tried[number]["steps"]): (ended[number], tried[number]["score"])
-                for number in committed["candidates"]}, committed
+                for number in [candidate["simulation"] for candidate in committed["candidates"]]}, committed
 
     def test_the_lid_is_opened_by_the_longer_way(self):
         self.assertEqual(drives_of(self.NAME), [("jar open", "reached")])
@@ -368,13 +368,28 @@ class TwoWays(EndToEndTest):
         self.assertEqual(plans, {("(cmd press [@jar])", "(cmd twist [@jar])"): ("reached", 1.0),
                                  ("(cmd pull [@jar])",): ("reached", 0.75 * 0.75)})
         self.assertEqual(committed["score"], 1.0)
-        rejected = [body for body in bodies(self.NAME, "PlanRejected") if body["simulation"] in committed["candidates"]]
+        loser = [candidate for candidate in committed["candidates"] if candidate["simulation"] != committed["chosen"]]
+        rejected = [body for body in bodies(self.NAME, "PlanRejected")
+                    if body["simulation"] in [candidate["simulation"] for candidate in loser]]
         self.assertEqual([(body["reason"], body["score"]) for body in rejected], [("lower_score", 0.75 * 0.75)])
 
     def test_the_picture_of_goals_marks_the_way_taken_and_names_the_one_that_lost(self):
         svg = call("view", episode_of(self.NAME), "--what", "goals", "-o", "-").out
         self.assertIn(">chosen, 1: press [jar], then twist [jar]<", svg)
         self.assertIn(">not chosen, 0.562: pull [jar]<", svg)
+
+    def test_the_choice_says_what_each_plan_was_worth_and_when_it_would_be_there(self):
+        _, committed = self.plans()
+        told = {candidate["simulation"] == committed["chosen"]: candidate for candidate in committed["candidates"]}
+        self.assertEqual(len(told), 2)
+        # The longer way takes two frames, the shorter one. The last command of either must be given a frame before the end.
+        self.assertEqual([(told[won]["confidence"], told[won]["score"], told[won]["reaches"]) for won in (True, False)],
+                         [(1.0, 1.0, 1_300_000), (0.5625, 0.5625, 1_200_000)])
+        deadlines = {candidate["deadline"] for candidate in committed["candidates"]}
+        target = bodies(self.NAME, "DriveInjected")[0]["target"]
+        self.assertEqual(deadlines, {target["before_us"] - 100_000})
+        sentence = next(line for line in call("events", episode_of(self.NAME)).out.splitlines() if "PlanCommitted" in line)
+        self.assertRegex(sentence, r"score 1, reaching the goal at 1\.3 s; the other: sim_\d+ \(score 0\.562, at 1\.2 s\)\.")
 
     def test_the_pull_is_less_sure_for_what_was_seen_of_it(self):
         pull = next(body["model"]["id"] for body in bodies(self.NAME, "ModelCreated")

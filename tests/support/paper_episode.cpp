@@ -432,9 +432,11 @@ class Author {
     };
     add(step);
     if (step.command == "move") add(aim);
+    const Time then = now_ + kPeriod * static_cast<std::int64_t>(plan.size());
     const EventId started = Emit(SimulationStarted{simulation, drive_, plan, score}, why);
     const EventId ended = Emit(SimulationEnded{simulation, SimulationOutcome::kReached}, {started});
-    return Emit(PlanCommitted{drive_, simulation, {simulation}, score}, {ended, goal_event_});
+    return Emit(PlanCommitted{drive_, simulation, {{simulation, score, score, then, then}}, score},
+                {ended, goal_event_});
   }
 
   // Compares every requirement of the aimed-at effect with the object; the best familiar one is generalised.

@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "tests/engine/reason/toy_mind.h"
 
@@ -90,6 +91,78 @@ RC_GTEST_PROP(CommitLaw, ExactlyTheFirstBestOfTheHarmlessOnesThatReachTheGoalIsC
   for (std::size_t i = 0; i < plans.size(); ++i)
     RC_ASSERT(choice.rejected[i].has_value() == (i != choice.chosen));
 }
+
+// ------------------------------------------------------------------------------------------------------
+// what the choice says of each plan
+
+// c is near. It can be taken at once, three times of four; or it is called, comes, and is asked for.
+class Candidates : public testing::TestWithParam<AnalogyMode> {
+ protected:
+  Candidates() : mind_(Parameters()) {
+    const CompositeState near =
+        State(1, {Value(V(0), "hand", O("free")), Value(V(3), "place", O("near"))}, 1);
+    const CompositeState here =
+        State(2, {Value(V(0), "hand", O("free")), Value(V(3), "place", O("here"))}, 1);
+    const Model take = Causal(4, Command("take", {V(2)}), Value(V(2), "has", V(3)));
+    const Model ask = Causal(5, Command("ask", {V(2)}), Value(V(2), "has", V(3)));
+    const Model come = Free(6, Command("call", {V(2)}), Value(V(2), "place", O("here")));
+    const Model may_take = Requires(8, MakeIcst({1}, {}, {V(0), V(1)}), take, {V(0), V(1), V(5), V(6)}, 2);
+    const Model may_ask = Requires(9, MakeIcst({2}, {}, {V(0), V(1)}), ask, {V(0), V(1), V(5), V(6)}, 2);
+    mind_.Know({}, {near, here},
+               {{take, {3, 4}, false},
+                {ask, {}, false},
+                {come, {}, false},
+                {may_take, {}, false},
+                {may_ask, {}, false}});
+    mind_.StartAt(3);
+    mind_.See({Value(E("h"), "hand", O("free")), Value(E("c"), "place", O("near"))});
+    mind_.Want(Value(E("h"), "has", E("c")), 6);
+  }
+  static ReasonerParameters Parameters() {
+    ReasonerParameters parameters;
+    parameters.analogy_mode = GetParam();
+    return parameters;
+  }
+
+  ToyMind mind_;
+};
+
+TEST_P(Candidates, EachHasItsConfidenceScoreAndTimesWhetherItWonOrLost) {
+  // own (semantics 9, CommitDecision: "candidates with cfd, deadline, score"). From 310 on c is wanted until
+  // 900, so a last command has until 800. Taking c would have it at 400, calling and asking at 500.
+  const bool openaera = GetParam() == AnalogyMode::kOpenaera;
+  EXPECT_EQ(mind_.Act(), "(cmd call [c])");
+  const auto committed = mind_.All<PlanCommitted>();
+  ASSERT_EQ(committed.size(), 1u);
+  std::map<std::string, PlanCandidate> candidates;
+  for (const PlanCandidate& candidate : committed[0]->candidates) {
+    for (const SimulationStarted* tried : mind_.All<SimulationStarted>()) {
+      if (tried->simulation == candidate.simulation)
+        candidates[ToText(tried->steps.front().command)] = candidate;
+    }
+  }
+  ASSERT_EQ(candidates.size(), 2u);
+  const PlanCandidate& won = candidates.at("(cmd call [c])");
+  const PlanCandidate& lost = candidates.at("(cmd take [h])");
+  EXPECT_EQ(won.simulation, committed[0]->chosen);
+  EXPECT_EQ(won.score, committed[0]->score);
+  const double seconds = openaera ? 0.800 - 0.310 : 1;
+  EXPECT_DOUBLE_EQ(won.confidence, 1);
+  EXPECT_DOUBLE_EQ(lost.confidence, 0.75);
+  EXPECT_DOUBLE_EQ(won.score, 1 / seconds);
+  EXPECT_DOUBLE_EQ(lost.score, 0.75 / seconds);
+  EXPECT_EQ(won.reaches, Time{500'000});
+  EXPECT_EQ(lost.reaches, Time{400'000});
+  for (const PlanCandidate* plan : {&won, &lost}) EXPECT_EQ(plan->deadline, Time{800'000});
+  // The one that lost says the same by itself.
+  const auto rejected = mind_.All<PlanRejected>();
+  ASSERT_EQ(rejected.size(), 1u);
+  EXPECT_EQ(rejected[0]->simulation, lost.simulation);
+  EXPECT_EQ(rejected[0]->score, lost.score);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothModes, Candidates, testing::Values(AnalogyMode::kPaper, AnalogyMode::kOpenaera),
+                         [](const auto& mode) { return std::string(ToText(mode.param)); });
 
 // ------------------------------------------------------------------------------------------------------
 // several drives

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <random>
 
@@ -264,6 +265,38 @@ TEST(OtherVersions, OlderIsReadWithoutWhatItDoesNotHaveYet) {
     if (auto* command = std::get_if<CommandIssued>(&events[i].body)) command->goal = {};
     EXPECT_TRUE(SameContent(file->events[i], events[i])) << ToText(events[i]);
   }
+}
+
+TEST(OtherVersions, CandidatesOfAChoiceWereNumbersOfSimulationsUpToVersion4) {
+  // Given an episode as version 4 wrote it, where a choice between plans named the simulations and no more
+  const TemporaryFolder folder;
+  PlanCommitted committed{{1}, {9}, {}, 0.5};
+  committed.candidates.push_back({{9}, 0.5, 0.5, Time{300'000}, Time{400'000}});
+  committed.candidates.push_back({{8}, 0.4, 0.4, Time{200'000}, Time{400'000}});
+  WriteEpisode(folder / "a",
+               {{{1}, {0}, 0, {}, {}, EpisodeStarted{}}, {{2}, {100}, 0, {}, {{1}}, committed}});
+  Tamper(folder / "a",
+         "DROP TABLE PlanCommitted_candidates; CREATE TABLE PlanCommitted_candidates(event INTEGER NOT NULL, "
+         "position INTEGER NOT NULL, value INTEGER) STRICT;"
+         "INSERT INTO PlanCommitted_candidates VALUES(2, 0, 9), (2, 1, 8)");
+  EXPECT_THAT(ErrorOf(folder / "a"),
+              HasSubstr("column simulation of the table PlanCommitted_candidates is missing"));
+  Tamper(folder / "a", "PRAGMA user_version=4");
+  // When it is read
+  const Result<EpisodeFile> file = ReadEpisode(folder / "a");
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_TRUE(file->older);
+  // Then the simulations are known, and what they were worth is not.
+  ASSERT_EQ(file->events.size(), 2u);
+  const auto& read = std::get<PlanCommitted>(file->events[1].body);
+  EXPECT_EQ(read.chosen, SimulationId{9});
+  EXPECT_EQ(read.score, 0.5);
+  ASSERT_EQ(read.candidates.size(), 2u);
+  EXPECT_EQ(read.candidates[0].simulation, SimulationId{9});
+  EXPECT_EQ(read.candidates[1].simulation, SimulationId{8});
+  EXPECT_TRUE(std::isnan(read.candidates[1].score));
+  EXPECT_TRUE(std::isnan(read.candidates[1].confidence));
+  EXPECT_EQ(read.candidates[1].reaches, Time{});
 }
 
 struct WrongContent {
