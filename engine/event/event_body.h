@@ -176,17 +176,44 @@ template <>
 inline constexpr std::array<std::string_view, 3> kEnumNames<InductionKind>{"change", "prediction_failure",
                                                                            "goal_success"};
 
+// What selective attention made of a fact that was there (semantics 5.1, "inputs").
+enum class InputVerdict {
+  kCause,          // kept: a possible cause, of which CauseConsidered says what came of it
+  kCondition,      // kept: a condition under which a cause may have worked
+  kNoSharedValue,  // dropped: nothing in common with what changed
+  kPartNotShared,  // dropped: an instance, of which a component has nothing in common with what changed
+  kOutOfStep,      // dropped: neither before the consequent as a cause is, nor in step with the premise
+  kTooLate,        // dropped: not before the consequent
+  kNotEligible,  // dropped: this kind of induction does not look at such, as at the engine's own conclusions
+};
+template <>
+inline constexpr std::array<std::string_view, 7> kEnumNames<InputVerdict>{
+    "cause", "condition", "no_shared_value", "part_not_shared", "out_of_step", "too_late", "not_eligible"};
+
+struct ConsideredInput {
+  FactId input;
+  InputVerdict verdict = InputVerdict::kNotEligible;
+  static constexpr auto Fields() {
+    return std::tuple{Field{"input", "a fact or instance of the frames looked at", &ConsideredInput::input},
+                      Field{"verdict", "kept as a possible cause or as a condition; or why it was dropped",
+                            &ConsideredInput::verdict}};
+  }
+};
+
 struct InductionStarted {
   InductionKind induction = InductionKind::kChange;
   FactId premise;
   FactId consequent;
+  std::vector<ConsideredInput> inputs = {};
   static constexpr std::string_view kName = "InductionStarted";
   static constexpr std::string_view kMeaning =
       "Something happened that nothing predicted; a cause is looked for.";
   static constexpr auto Fields() {
-    return std::tuple{Field{"induction", "what set it off", &InductionStarted::induction},
-                      Field{"premise", "the fact before", &InductionStarted::premise},
-                      Field{"consequent", "the fact after", &InductionStarted::consequent}};
+    return std::tuple{
+        Field{"induction", "what set it off", &InductionStarted::induction},
+        Field{"premise", "the fact before", &InductionStarted::premise},
+        Field{"consequent", "the fact after", &InductionStarted::consequent},
+        Field{"inputs", "all that was looked at, what was kept first", &InductionStarted::inputs}};
   }
 };
 

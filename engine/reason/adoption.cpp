@@ -1,5 +1,6 @@
 #include "engine/reason/adoption.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/reason/existence.h"
@@ -36,9 +37,13 @@ Origin Adoption::origin() const {
   return Origin::kInduction;
 }
 
-void Adoption::Start(FactId premise, FactId consequent, const std::vector<EventId>& causes) {
+void Adoption::Start(FactId premise, FactId consequent, const std::vector<EventId>& causes,
+                     std::vector<ConsideredInput> inputs) {
   evidence_ = causes;
-  started_ = journal_.Write(now_, InductionStarted{kind_, premise, consequent}, causes);
+  std::stable_partition(inputs.begin(), inputs.end(), [](const ConsideredInput& one) {
+    return one.verdict == InputVerdict::kCause || one.verdict == InputVerdict::kCondition;
+  });
+  started_ = journal_.Write(now_, InductionStarted{kind_, premise, consequent, std::move(inputs)}, causes);
 }
 
 EventId Adoption::Report(const SituationFact& input, CauseVerdict verdict, std::string_view guard_form) {

@@ -40,8 +40,12 @@ class Adoption {
 
   const KnowledgeBase& knowledge() const { return journal_.knowledge(); }
 
-  // Writes InductionStarted; `causes` stand behind all that is learned.
-  void Start(FactId premise, FactId consequent, const std::vector<EventId>& causes);
+  // Whether inputs are recorded; if not, the work of listing them can be saved.
+  bool records_inputs() const { return journal_.Records<InductionStarted>(); }
+  // Writes InductionStarted; `causes` stand behind all that is learned. What was kept of the inputs is put
+  // first.
+  void Start(FactId premise, FactId consequent, const std::vector<EventId>& causes,
+             std::vector<ConsideredInput> inputs);
   // Writes CauseConsidered.
   EventId Report(const SituationFact& input, CauseVerdict verdict, std::string_view guard_form = {});
   // Writes CauseConsidered and, for what was put together in vain, ModelRejected.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "engine/reason/adoption.h"
 #include "engine/reason/causal_model_builder.h"
@@ -34,8 +36,10 @@ class ChangeInduction {
   }
 
   void Run() {
-    adoption_.Start(premise_.id, change_.consequent.id, {change_.consequent.event, premise_.event});
     KeepInputs();
+    adoption_.Start(premise_.id, change_.consequent.id, {change_.consequent.event, premise_.event},
+                    std::move(inputs_));
+    for (const auto& [i, verdict] : no_causes_) adoption_.Report(before_[i], verdict);
     for (const std::size_t i : causes_) TryCause(before_[i]);
   }
 
@@ -59,37 +63,49 @@ class ChangeInduction {
 
   // Selective attention: which inputs may be conditions, and which may be causes.
   void KeepInputs() {
+    const bool listed = adoption_.records_inputs();
     for (std::size_t i = 0; i < before_.facts().size(); ++i) {
-      if (i == change_.premise || before_[i].concluded) continue;
-      const Term& payload = before_[i].fact.payload;
-      if (IsIcst(payload)) {
-        if (InSync(before_[i].fact.interval, premise_.fact.interval) && EveryComponentShares(i))
-          conditions_.push_back(i);
-      } else if (before_[i].permanent) {
-        if (values_.SharedBy(payload)) conditions_.push_back(i);
-      } else {
-        KeepInput(i);
+      if (i == change_.premise) continue;
+      const InputVerdict verdict = VerdictOn(i);
+      if (listed) inputs_.push_back({before_[i].id, verdict});
+      if (verdict == InputVerdict::kCondition) conditions_.push_back(i);
+      if (verdict == InputVerdict::kCause) {
+        causes_.push_back(i);
+      } else if (MayBeCause(before_[i])) {
+        no_causes_.emplace_back(i, WhyNoCause(verdict));
       }
     }
   }
 
-  void KeepInput(std::size_t i) {
+  static bool MayBeCause(const SituationFact& input) {
+    return !input.concluded && !input.permanent && !IsIcst(input.fact.payload);
+  }
+
+  // Of an input that could be a cause and is none.
+  static CauseVerdict WhyNoCause(InputVerdict verdict) {
+    if (verdict == InputVerdict::kNoSharedValue) return CauseVerdict::kNoSharedValue;
+    if (verdict == InputVerdict::kTooLate) return CauseVerdict::kTooLate;
+    return CauseVerdict::kSimultaneous;
+  }
+
+  InputVerdict VerdictOn(std::size_t i) const {
     const SituationFact& input = before_[i];
     const Term& payload = input.fact.payload;
     const TimeInterval& interval = input.fact.interval;
-    const bool shares = values_.SharedBy(payload) || (IsImdl(payload) && HoldsDelta(payload));
-    const bool sensed = !IsCommand(payload) && !IsImdl(payload);
-    if (!shares) {
-      adoption_.Report(input, CauseVerdict::kNoSharedValue);
-    } else if (interval.after >= change_.consequent.fact.interval.after) {
-      adoption_.Report(input, CauseVerdict::kTooLate);
-    } else if (sensed && (InSync(interval, premise_.fact.interval) ||
-                          Synchronous(interval.after, premise_.fact.interval.after))) {
-      adoption_.Report(input, CauseVerdict::kSimultaneous);
-      if (InSync(interval, premise_.fact.interval)) conditions_.push_back(i);
-    } else {
-      causes_.push_back(i);
+    if (input.concluded) return InputVerdict::kNotEligible;
+    const bool in_step = InSync(interval, premise_.fact.interval);
+    if (IsIcst(payload)) {
+      if (!in_step) return InputVerdict::kOutOfStep;
+      return EveryComponentShares(i) ? InputVerdict::kCondition : InputVerdict::kPartNotShared;
     }
+    if (!values_.SharedBy(payload) && !(IsImdl(payload) && HoldsDelta(payload)))
+      return InputVerdict::kNoSharedValue;
+    if (input.permanent) return InputVerdict::kCondition;
+    if (interval.after >= change_.consequent.fact.interval.after) return InputVerdict::kTooLate;
+    if (IsCommand(payload) || IsImdl(payload)) return InputVerdict::kCause;
+    if (in_step) return InputVerdict::kCondition;
+    return Synchronous(interval.after, premise_.fact.interval.after) ? InputVerdict::kOutOfStep
+                                                                     : InputVerdict::kCause;
   }
 
   void TryCause(const SituationFact& cause) {
@@ -171,6 +187,9 @@ class ChangeInduction {
   std::optional<Term> delta_;
   std::vector<std::size_t> conditions_;
   std::vector<std::size_t> causes_;
+  std::vector<std::pair<std::size_t, CauseVerdict>>
+      no_causes_;                        // that could be causes, and why they are none
+  std::vector<ConsideredInput> inputs_;  // while they are recorded
 };
 
 }  // namespace

@@ -27,8 +27,9 @@ struct Change {
   SituationFact consequent;  // in the frame that begins now
 };
 
-// Writes InductionStarted, CauseConsidered for each input that could be a cause, and the knowledge made or
-// rejected. `before` is the finished situation of the last frame: facts, instances, executed commands.
+// Writes InductionStarted with what was made of each input, CauseConsidered for each that could be a cause,
+// and the knowledge made or rejected. `before` is the finished situation of the last frame: facts, instances,
+// executed commands.
 void InduceFromChange(const Change& change, const Situation& before, ValueRoles roles, Time now,
                       Journal* journal);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/reason/adoption.h"
 #include "engine/reason/chaining.h"
@@ -38,9 +40,10 @@ class FailureInduction {
     if (!BindInstance(target_.model, failed_.instance, target_.values)) return;
     valid_ = TemplateInterval(failed_.instance[1]).value_or(frames_.front()->interval());
     values_.Add(failed_.instance);
-    adoption_.Start(failed_.input, failed_.shown_by, failed_.events);
     for (const Situation* frame : frames_) Keep(*frame);
     for (const Situation* frame : frames_) TakeBackIn(*frame);
+    adoption_.Start(failed_.input, failed_.shown_by, failed_.events, Inputs());
+    for (const auto& [input, verdict] : no_causes_) adoption_.Report(*input, verdict);
     for (std::size_t i = 0; i < frames_.size(); ++i) TryCauses(*frames_[i], kept_[i]);
   }
 
@@ -55,7 +58,7 @@ class FailureInduction {
       const Term& payload = input.fact.payload;
       if (IsCommand(payload) || IsImdl(payload) || input.concluded || !values_.SharedBy(payload)) continue;
       if (input.fact.interval.after > valid_.after && !input.permanent) {
-        if (IsSensed(input)) adoption_.Report(input, CauseVerdict::kTooLate);
+        if (IsSensed(input)) no_causes_.emplace_back(&input, CauseVerdict::kTooLate);
         continue;
       }
       kept.insert(i);
@@ -87,9 +90,29 @@ class FailureInduction {
     kept.insert(again.begin(), again.end());
     for (std::size_t i = 0; i < frame.facts().size(); ++i) {
       if (IsSensed(frame[i]) && !kept.contains(i) && frame[i].fact.interval.after <= valid_.after) {
-        adoption_.Report(frame[i], CauseVerdict::kNoSharedValue);
+        no_causes_.emplace_back(&frame[i], CauseVerdict::kNoSharedValue);
       }
     }
+  }
+
+  // What was made of each input, if that is recorded.
+  std::vector<ConsideredInput> Inputs() const {
+    std::vector<ConsideredInput> inputs;
+    if (!adoption_.records_inputs()) return inputs;
+    for (std::size_t f = 0; f < frames_.size(); ++f) {
+      const Situation& frame = *frames_[f];
+      for (std::size_t i = 0; i < frame.facts().size(); ++i)
+        inputs.push_back({frame[i].id, VerdictOn(frame[i], kept_[f].contains(i))});
+    }
+    return inputs;
+  }
+
+  InputVerdict VerdictOn(const SituationFact& input, bool kept) const {
+    const Term& payload = input.fact.payload;
+    if (kept) return IsSensed(input) ? InputVerdict::kCause : InputVerdict::kCondition;
+    if (IsCommand(payload) || IsImdl(payload) || input.concluded) return InputVerdict::kNotEligible;
+    const bool late = input.fact.interval.after > valid_.after && !input.permanent;
+    return late ? InputVerdict::kTooLate : InputVerdict::kNoSharedValue;
   }
 
   // Is this the thing the model was to change?
@@ -211,6 +234,8 @@ class FailureInduction {
   std::vector<Term> same_value_;             // sensed payloads that share a value with the failed instance
   std::vector<std::set<std::size_t>> kept_;  // a set of positions for each frame
   int taken_back_ = 0;
+  std::vector<std::pair<const SituationFact*, CauseVerdict>>
+      no_causes_;  // sensed, and why they are no causes
 };
 
 }  // namespace

@@ -36,7 +36,8 @@ class InductionFromGoal {
            bool pass_through) {
     const bool side_effect = !goal_.target.positive && !came_true.empty();
     if (pass_through && !side_effect) return;
-    adoption_.Start(side_effect ? came_true.front().command.id : FactId{}, goal_.shown_by, goal_.events);
+    adoption_.Start(side_effect ? came_true.front().command.id : FactId{}, goal_.shown_by, goal_.events,
+                    pass_through ? std::vector<ConsideredInput>{} : Inputs(frames));
     if (side_effect) {
       for (const PredictedCommand& done : came_true) TrySideEffect(done);
     }
@@ -59,6 +60,29 @@ class InductionFromGoal {
                      held.fact.interval, true});
   }
 
+  // What is made of what was seen or done in the frames, if that is recorded. An instance is tried with what
+  // it contains, so it is no input of its own.
+  std::vector<ConsideredInput> Inputs(const std::vector<const Situation*>& frames) const {
+    std::vector<ConsideredInput> inputs;
+    if (!adoption_.records_inputs()) return inputs;
+    for (const Situation* frame : frames) {
+      for (const SituationFact& input : frame->facts()) {
+        if (!IsIcst(input.fact.payload)) inputs.push_back({input.id, VerdictOn(input)});
+      }
+    }
+    return inputs;
+  }
+
+  InputVerdict VerdictOn(const SituationFact& input) const {
+    const Time begins = goal_.evidence.interval.after;
+    const bool over = input.fact.interval.before <= goal_.target.interval.after;  // before the goal was given
+    if (over || input.permanent || input.concluded || IsImdl(input.fact.payload))
+      return InputVerdict::kNotEligible;
+    if (!values_.SharedBy(input.fact.payload)) return InputVerdict::kNoSharedValue;
+    if (Synchronous(input.fact.interval.after, begins)) return InputVerdict::kOutOfStep;
+    return input.fact.interval.after > begins ? InputVerdict::kTooLate : InputVerdict::kCause;
+  }
+
   // What was seen or done in a frame, in the order of content.
   void TryInputs(const Situation& frame) {
     std::vector<std::size_t> all(frame.facts().size());
@@ -79,13 +103,13 @@ class InductionFromGoal {
   void TryInput(const Situation& frame, const std::vector<std::size_t>& outermost, std::size_t position,
                 std::set<std::size_t>* states_tried) {
     const SituationFact& input = frame[position];
-    const Time begins = goal_.evidence.interval.after;
-    if (tried_.contains(input.id) || input.fact.interval.before <= goal_.target.interval.after) return;
-    if (!values_.SharedBy(input.fact.payload)) {
+    const InputVerdict verdict = VerdictOn(input);
+    if (tried_.contains(input.id) || verdict == InputVerdict::kNotEligible) return;
+    if (verdict == InputVerdict::kNoSharedValue) {
       adoption_.Report(input, CauseVerdict::kNoSharedValue);
-    } else if (Synchronous(input.fact.interval.after, begins)) {
+    } else if (verdict == InputVerdict::kOutOfStep) {
       adoption_.Report(input, CauseVerdict::kSimultaneous);
-    } else if (input.fact.interval.after > begins) {
+    } else if (verdict == InputVerdict::kTooLate) {
       adoption_.Report(input, CauseVerdict::kTooLate);
     } else if (IsCommand(input.fact.payload)) {
       tried_.insert(input.id);

@@ -10,7 +10,7 @@
 namespace aerascope {
 
 // Raised when the meaning of a table or field changes. A newer file is refused, an older one is read.
-inline constexpr std::int32_t kSchemaVersion = 5;
+inline constexpr std::int32_t kSchemaVersion = 6;
 
 // "AERA" in ASCII: tells an episode from any other SQLite file (`file run.episode` shows it).
 inline constexpr std::int32_t kEpisodeApplicationId = 0x41455241;

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "tests/engine/reason/agent.h"
 
 namespace aerascope {
@@ -335,6 +337,100 @@ TEST(ChangeInduction, RejectsAPremiseWithNothingInStepWithIt) {
   ASSERT_EQ(rejected.size(), 1u);
   EXPECT_EQ(rejected[0]->reason, CauseVerdict::kNoCompositeState);
   EXPECT_EQ(KindOf(rejected[0]->candidate), ModelKind::kCausal);
+}
+
+// "hand: (mk.val h essence hand)" and the like: what was made of each input of the last induction, in order.
+std::vector<std::string> Inputs(const EventList& events) {
+  std::map<FactId, std::string> facts;
+  for (const Event& event : events.events) {
+    if (const auto* seen = std::get_if<FactObserved>(&event.body))
+      facts[seen->fact_id] = ToText(seen->fact.payload);
+    if (const auto* found = std::get_if<IcstFound>(&event.body))
+      facts[found->fact_id] = ToText(found->fact.payload);
+  }
+  std::vector<std::string> inputs;
+  for (const ConsideredInput& one : events.All<InductionStarted>().back()->inputs)
+    inputs.push_back(std::string(EnumName(one.verdict)) + ": " + facts.at(one.input));
+  return inputs;
+}
+
+// A hand at 5 is moved by 3 while a lamp, switched on in the middle of the frame, stands elsewhere; the lamp
+// is brass, and hot.
+void MoveBesideALamp(Agent* agent) {
+  agent->SenseFacts({Holds(Val("h", "position", N(5)), agent->NextFrame()),
+                     Holds(Val("lamp", "position", N(9)), agent->NextFrame()),
+                     agent->Hold(Val("lamp", "lit", O("yes")))});
+  agent->Do(Cmd("move", {E("h"), N(3)}));
+  agent->SenseFacts({Holds(Val("h", "position", N(8)), agent->NextFrame()),
+                     Holds(Val("lamp", "position", N(9)), agent->NextFrame())});
+}
+
+std::vector<Fact> HandAndLamp() {
+  return {Holds(Val("h", "essence", O("hand")), kAlways),
+          Holds(Val("lamp", "material", O("brass")), kAlways)};
+}
+
+TEST(ChangeInduction, EachInputIsKeptOrDroppedWithAReason) {
+  // OpenAERA (semantics 5.1, inputs; 9, "inputs kept / dropped with reason"). The hand's property, and that
+  // it is a hand at 5, are kept as conditions, and the command as a possible cause; what is known of the lamp
+  // is dropped, properties included, and so is the instance that holds of the lamp.
+  Agent agent(HandAndLamp(), {HandAt(1), ThingAt(2, "material")});
+  MoveBesideALamp(&agent);
+  const std::string hand_at = "(icst cst_" + std::to_string(StateId(agent, HandAt(0)).value) + " [] [h 5])";
+  const std::string lamp_at =
+      "(icst cst_" + std::to_string(StateId(agent, ThingAt(0, "material")).value) + " [] [lamp brass 9])";
+  const auto inputs = Inputs(agent.events);
+  EXPECT_THAT(inputs, ::testing::UnorderedElementsAre(
+                          "condition: (mk.val h essence hand)", "condition: " + hand_at,
+                          "cause: (cmd move [h 3])", "no_shared_value: (mk.val lamp material brass)",
+                          "no_shared_value: (mk.val lamp position 9)",
+                          "no_shared_value: (mk.val lamp lit yes)", "part_not_shared: " + lamp_at));
+  // What was kept is named first.
+  EXPECT_THAT(std::vector(inputs.begin(), inputs.begin() + 3),
+              ::testing::Each(::testing::Not(::testing::HasSubstr("shared"))));
+}
+
+TEST(ChangeInduction, AnInputThatComesWithTheConsequentIsTooLate) {
+  // OpenAERA (semantics 5.1, inputs, 1). What holds from the next frame on cannot have caused what is seen
+  // then.
+  Agent agent(HandIsAHand(), {HandAt(1)});
+  const TimeInterval next = agent.NextFrame();
+  agent.SenseFacts({Holds(Val("h", "position", N(5)), next),
+                    Holds(Val("h", "mood", O("good")), {next.before, next.before + Milliseconds(100)})});
+  agent.Sense({Val("h", "position", N(8))});
+  EXPECT_THAT(Inputs(agent.events), Contains("too_late: (mk.val h mood good)"));
+}
+
+TEST(ChangeInduction, WhatTheEngineConcludedIsNotEligible) {
+  // Own: nothing rests on absences. That x was not there in time is concluded, and listed as not eligible.
+  Model wrong;
+  wrong.id = {7};
+  wrong.lhs = {true, Cmd("call", {E("h")}), V(0), V(1)};
+  wrong.rhs = {true, Val("h", "mood", O("good")), V(2), V(3)};
+  wrong.forward = {Assign(2, "+", V(0), D(80)), Assign(3, "+", V(1), D(100))};
+  Agent agent(HandIsAHand(), {HandAt(1)}, {{wrong, {}, false}});
+  agent.Sense({Val("h", "position", N(5))});
+  agent.Do(Cmd("call", {E("h")}));
+  agent.Sense({Val("h", "position", N(5))});
+  agent.Sense({Val("h", "position", N(5))});
+  agent.Do(Cmd("move", {E("h"), N(3)}));
+  agent.Sense({Val("h", "position", N(8))});
+  EXPECT_THAT(Inputs(agent.events), Contains("not_eligible: (mk.val h mood good)"));
+}
+
+TEST(ChangeInduction, WithItsReportOffTheSameIsLearned) {
+  // Own: who leaves InductionStarted out pays for no list and learns the same.
+  Agent loud(HandAndLamp(), {HandAt(1), ThingAt(2, "material")});
+  MoveBesideALamp(&loud);
+  Agent quiet(HandAndLamp(), {HandAt(1), ThingAt(2, "material")});
+  EventKindSet off;
+  off.set(KindOf<InductionStarted>());
+  quiet.reasoner.journal().LeaveOut(off);
+  MoveBesideALamp(&quiet);
+  EXPECT_THAT(quiet.events.All<InductionStarted>(), IsEmpty());
+  EXPECT_EQ(loud.events.All<InductionStarted>().size(), 1u);
+  EXPECT_EQ(quiet.Text(), loud.Text());
+  EXPECT_EQ(Verdicts(quiet), Verdicts(loud));
 }
 
 TEST(ChangeInduction, AnAntiFactIsNotWatched) {

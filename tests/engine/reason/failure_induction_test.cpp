@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
+#include <string>
 
 #include "tests/engine/reason/agent.h"
 
@@ -176,6 +178,34 @@ TEST(FailureInduction, AmongManyThingsThatNothingTellsApartItStaysSmall) {
     EXPECT_LT(record.state.components.size(), 10u) << ToText(record.state);
   // What was thought sufficient is vetoed all the same.
   EXPECT_FALSE(Vetoes(heap.agent).empty());
+}
+
+TEST(FailureInduction, EachInputIsKeptOrDroppedWithAReason) {
+  // OpenAERA (semantics 5.2; 9, "inputs kept / dropped with reason"). Of what is looked at after a failed
+  // grab of c0, what is sensed of hand and c0 is a possible cause, and so is what equals it of c1; properties
+  // of hand and c0 are conditions; commands are not eligible; and the properties of c1, which shares nothing,
+  // are dropped.
+  const Heap heap(2);
+  std::map<FactId, Term> facts;
+  for (const FactObserved* seen : heap.agent.events.All<FactObserved>())
+    facts.emplace(seen->fact_id, seen->fact.payload);
+  std::set<std::string> verdicts;
+  int failures = 0;
+  for (const InductionStarted* started : heap.agent.events.All<InductionStarted>()) {
+    if (started->induction != InductionKind::kPredictionFailure) continue;
+    ++failures;
+    for (const ConsideredInput& one : started->inputs) {
+      const auto fact = facts.find(one.input);
+      if (fact != facts.end())
+        verdicts.insert(std::string(EnumName(one.verdict)) + ": " + ToText(fact->second));
+    }
+  }
+  ASSERT_GT(failures, 0);
+  for (const char* expected :
+       {"cause: (mk.val h holding [])", "condition: (mk.val h essence hand)", "not_eligible: (cmd grab [h])",
+        "no_shared_value: (mk.val c1 shape cube)", "cause: (mk.val c1 lit off)"}) {
+    EXPECT_TRUE(verdicts.contains(expected)) << expected << "\n" << ::testing::PrintToString(verdicts);
+  }
 }
 
 TEST(FailureInduction, AFewThingsAreToldApartByTheirOrder) {

@@ -139,6 +139,10 @@ TEST(GoalInduction, ACommandThatCameBeforeIsACause) {
   mind.See({Value(E("lamp"), "state", O("on")), Value(E("door"), "state", O("open"))});
   EXPECT_THAT(Verdicts(mind),
               UnorderedElementsAre("(cmd press [lamp]) built", "(mk.val door state open) no_shared_value"));
+  std::vector<std::string_view> inputs;
+  for (const ConsideredInput& one : mind.All<InductionStarted>().at(0)->inputs)
+    inputs.push_back(EnumName(one.verdict));
+  EXPECT_THAT(inputs, ElementsAre("cause", "no_shared_value")) << "what is kept is named first";
   ASSERT_EQ(Learned(mind).size(), 1u);
   mind.See({});
   mind.Want(Value(E("lamp"), "state", O("on")));
