@@ -137,7 +137,8 @@ std::string ConditionOf(const ToyMind& mind, const ModelRecord& requirement) {
 // table of 10.7
 
 TEST(Analogy107, ALargeSphereIsThreeQuartersALargeCube) {
-  // paper (equations 2 to 4): 3 of 4, psi .75, S3(cube) dropped; OpenAERA: .6 for the same.
+  // paper (semantics 10.7, row 1; equations 2 to 4) and OpenAERA: 3 of 4, S3(cube) dropped; sure at .75, or
+  // .6.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Learn(&mind, Thing("s", "sphere", "large"));
@@ -155,7 +156,7 @@ TEST(Analogy107, ALargeSphereIsThreeQuartersALargeCube) {
 }
 
 TEST(Analogy107, ALargeSphereIsHalfASmallCube) {
-  // own (psi must be above .5) and OpenAERA (three must match): 2 of 4 is rejected.
+  // own (semantics 10.7, row 2: psi must be above .5) and OpenAERA (three must match): 2 of 4 is rejected.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Learn(&mind, Thing("s", "sphere", "large"));
@@ -168,7 +169,7 @@ TEST(Analogy107, ALargeSphereIsHalfASmallCube) {
 }
 
 TEST(Analogy107, WithTheShapeAsAFactOfItsOwnThatFactIsDropped) {
-  // OpenAERA (the seed with `shape`): 3 of 4, (C shape cube) dropped.
+  // OpenAERA (semantics 10.7, row 3: the seed with `shape`): 3 of 4, (C shape cube) dropped.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Knowledge k;
@@ -183,7 +184,7 @@ TEST(Analogy107, WithTheShapeAsAFactOfItsOwnThatFactIsDropped) {
 }
 
 TEST(Analogy107, ASmallSphereIsThreeQuartersASmallCube) {
-  // OpenAERA: 3 of 4 on the small cube's condition, so grab_type_1.
+  // OpenAERA (semantics 10.7, row 4): 3 of 4 on the small cube's condition, so grab_type_1.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Learn(&mind, Thing("s2", "sphere", "small"));
@@ -195,7 +196,7 @@ TEST(Analogy107, ASmallSphereIsThreeQuartersASmallCube) {
 }
 
 TEST(Analogy107, LettingGoOfALargeSphereIsThreeQuartersLettingGoOfALargeCube) {
-  // OpenAERA: holding [s], S4 and S0 match, S3(cube) does not.
+  // OpenAERA (semantics 10.7, row 5): holding [s], S4 and S0 match, S3(cube) does not.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Learn(&mind, Thing("s", "sphere", "large"));
@@ -207,7 +208,7 @@ TEST(Analogy107, LettingGoOfALargeSphereIsThreeQuartersLettingGoOfALargeCube) {
 }
 
 TEST(Analogy107, AKnownCubeAtTheHandNeedsNoAnalogy) {
-  // OpenAERA: 4 of 4, ordinary chaining.
+  // OpenAERA (semantics 10.7, row 6): 4 of 4, ordinary chaining.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Learn(&mind, Thing("c2", "cube", "large"));
@@ -221,7 +222,8 @@ TEST(Analogy107, AKnownCubeAtTheHandNeedsNoAnalogy) {
 }
 
 TEST(Analogy107, AKnownCubeElsewhereNeedsNoAnalogyEither) {
-  // own: 4 of 4 taken one by one, though not together: the sub-goal is S0(h, 12), so the hand moves.
+  // own (semantics 10.7, row 7): 4 of 4 taken one by one, though not together: the sub-goal is S0(h, 12), so
+  // the hand moves.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Learn(&mind, Thing("c2", "cube", "large"));
@@ -239,7 +241,7 @@ TEST(Analogy107, AKnownCubeElsewhereNeedsNoAnalogyEither) {
 }
 
 TEST(Analogy107, AThingOfWhichNothingIsKnownIsLeftAlone) {
-  // own: holding and S0 match, 2 of 4, and nothing at all is known about the thing.
+  // own (semantics 10.7, row 8): holding and S0 match, 2 of 4, and nothing at all is known about the thing.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Learn(&mind, {});
@@ -251,20 +253,37 @@ TEST(Analogy107, AThingOfWhichNothingIsKnownIsLeftAlone) {
 }
 
 TEST(Analogy107, TheConfidenceOfTheOriginalIsInherited) {
-  // paper (equation 4): .75 of .8 is .6.
-  ToyMind mind;
-  Knowledge k;
-  k.of_requirements = {4, 5};
-  Learn(&mind, Thing("s", "sphere", "large"), k);
-  mind.See(Scene(10, "s", 15));
-  mind.Want(Holding("s"));
-  mind.Act();
-  ASSERT_EQ(Hypothesised(mind).size(), 1u);
-  EXPECT_DOUBLE_EQ(Hypothesised(mind)[0]->evidence.rate(), 0.75 * 0.8);
+  // paper (semantics 10.7, row 9; equation 4): .75 of .8 is .6, and of .9 it is .675.
+  for (const double right : {8, 9}) {
+    ToyMind mind;
+    Knowledge k;
+    k.of_requirements = {right, 10};
+    Learn(&mind, Thing("s", "sphere", "large"), k);
+    mind.See(Scene(10, "s", 15));
+    mind.Want(Holding("s"));
+    mind.Act();
+    ASSERT_EQ(Hypothesised(mind).size(), 1u);
+    EXPECT_DOUBLE_EQ(Hypothesised(mind)[0]->evidence.rate(), 0.75 * right / 10);
+  }
+}
+
+TEST(Analogy107, TheConfidenceOfTheOriginalIsNotInheritedInOpenaeraMode) {
+  // OpenAERA (semantics 10.7, row 9; 6, aspect cfd*): .6 of .8 and of .9 alike.
+  for (const double right : {8, 9}) {
+    ToyMind mind(Openaera());
+    Knowledge k;
+    k.of_requirements = {right, 10};
+    Learn(&mind, Thing("s", "sphere", "large"), k);
+    mind.See(Scene(10, "s", 15));
+    mind.Want(Holding("s"));
+    mind.Act();
+    ASSERT_EQ(Hypothesised(mind).size(), 1u);
+    EXPECT_DOUBLE_EQ(Hypothesised(mind)[0]->evidence.rate(), 0.6);
+  }
 }
 
 TEST(Analogy107, FourOfFiveComponents) {
-  // own: psi .8, of .9 that is .72; the other reading of equation 2 gives 4/6.
+  // own (semantics 10.7, row 10): psi .8, of .9 that is .72; the other reading of equation 2 gives 4/6.
   ToyMind mind;
   Knowledge k;
   k.of_requirements = {9, 10};
@@ -286,7 +305,7 @@ TEST(Analogy107, FourOfFiveComponents) {
 }
 
 TEST(Analogy107, FourOfFiveComponentsInOpenaeraMode) {
-  // OpenAERA (semantics 6, aspect cfd*): .6, whatever matches and however sure the original is.
+  // OpenAERA (semantics 10.7, row 10; 6, aspect cfd*): .6, whatever matches and however sure the original is.
   ToyMind mind(Openaera());
   Knowledge k;
   k.of_requirements = {9, 10};
@@ -302,7 +321,7 @@ TEST(Analogy107, FourOfFiveComponentsInOpenaeraMode) {
 }
 
 TEST(Analogy107, TheSameGoalInTheNextFrameAddsNothingInPaperMode) {
-  // own: no duplicates.
+  // own (semantics 10.7, row 11): no duplicates.
   ToyMind mind;
   Learn(&mind, Thing("s", "sphere", "large"));
   mind.See(Scene(10, "s", 15));
@@ -317,7 +336,7 @@ TEST(Analogy107, TheSameGoalInTheNextFrameAddsNothingInPaperMode) {
 }
 
 TEST(Analogy107, TheSameGoalInTheNextFrameMakesAnEqualPairAgainInOpenaeraMode) {
-  // OpenAERA: each repeat makes another equal composite state and requirement model.
+  // OpenAERA (semantics 10.7, row 11): each repeat makes another equal composite state and requirement model.
   ToyMind mind(Openaera());
   Learn(&mind, Thing("s", "sphere", "large"));
   mind.See(Scene(10, "s", 15));
@@ -335,7 +354,7 @@ TEST(Analogy107, TheSameGoalInTheNextFrameMakesAnEqualPairAgainInOpenaeraMode) {
 }
 
 TEST(Analogy107, WhatWasRefutedIsNotMadeAgainInPaperModeAndIsInOpenaeraMode) {
-  // own (black list) and OpenAERA (the black list is not asked).
+  // own (semantics 10.7, row 12: black list) and OpenAERA (the black list is not asked).
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Learn(&mind, Thing("s", "sphere", "large"));
@@ -355,7 +374,7 @@ TEST(Analogy107, WhatWasRefutedIsNotMadeAgainInPaperModeAndIsInOpenaeraMode) {
 }
 
 TEST(Analogy107, WhatFellWithoutFailingMayBeMadeAgain) {
-  // own: only what failed is on the black list (semantics 3.5).
+  // own (semantics 3.5, beside row 12 of 10.7): only what failed is on the black list.
   ToyMind mind;
   Learn(&mind, Thing("s", "sphere", "large"));
   mind.See(Scene(15, "s", 15));
@@ -377,8 +396,8 @@ TEST(Analogy107, WhatFellWithoutFailingMayBeMadeAgain) {
 }
 
 TEST(Analogy107, TheComparisonComponentByComponent) {
-  // OpenAERA (the trace of cst_519 at 710): holding yes, S3 no, S4 yes, S0 yes: three, the first that has as
-  // many, so one pair is built; the same comparison in paper mode.
+  // OpenAERA (semantics 10.7, the trace of cst_519 at 710): holding yes, S3 no, S4 yes, S0 yes: three, the
+  // first that has as many, so one pair is built; the same comparison in paper mode.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     Learn(&mind, Thing("s", "sphere", "large"));
@@ -398,8 +417,8 @@ TEST(Analogy107, TheComparisonComponentByComponent) {
 }
 
 TEST(Analogy107, ANestedConditionIsNeverGeneralised) {
-  // OpenAERA: S4 itself matched in part (2 of 3) is not the left side of a requirement model, so it stays as
-  // it is.
+  // OpenAERA (semantics 10.7, row 13): S4 itself matched in part (2 of 3) is not the left side of a
+  // requirement model, so it stays as it is.
   for (const bool openaera : {false, true}) {
     ToyMind mind(openaera ? Openaera() : ReasonerParameters{});
     const CompositeState s4 = State(
@@ -613,20 +632,35 @@ TEST(AnalogyMatches, AFullHandIsEmptiedRatherThanTheEmptyHandForgotten) {
 // ------------------------------------------------------------------------------------------------------
 // planning, 10.6
 
-TEST(Planning106, MoveThenGrabIntervalByInterval) {
-  // OpenAERA (semantics 10.6), as far as a frame-based engine has the same instants: goal times found
-  // backwards, the simulated frames, promotion, the commit, the request, what was executed, and the
-  // prediction. Simulated instants inside a frame (735 ms) have no counterpart here.
-  ToyMind mind;
-  Learn(&mind, Thing("s", "sphere", "large"));
-  mind.StartAt(7);
-  mind.See(Scene(10, "s", 15));
-  mind.Want(Holding("s"), 4);
-  const auto wish = mind.reasoner.Decide();
+constexpr Time ms(std::int64_t t) {
+  return Time{t * 1000};
+}
+
+// At 710 ms s is wanted until 1100; the hand is 5 from it.
+class Planning106 : public testing::TestWithParam<AnalogyMode> {
+ protected:
+  Planning106() : mind_(GetParam() == AnalogyMode::kOpenaera ? Openaera() : ReasonerParameters{}) {
+    Learn(&mind_, Thing("s", "sphere", "large"));
+    mind_.StartAt(7);
+    mind_.See(Scene(10, "s", 15));
+    mind_.Want(Holding("s"), 4);
+    wish_ = mind_.reasoner.Decide();
+  }
+
+  ToyMind mind_;
+  std::optional<Wish> wish_;
+};
+
+TEST_P(Planning106, MoveThenGrabIntervalByInterval) {
+  // OpenAERA (semantics 10.6), in openaera mode and in paper mode alike, as far as a frame-based engine has
+  // the same instants: goal times found backwards, the simulated frames, promotion, the commit, the request,
+  // what was executed, and the prediction. Simulated instants inside a frame (735 ms) have no counterpart
+  // here.
+  ToyMind& mind = mind_;
+  const auto& wish = wish_;
   ASSERT_TRUE(wish.has_value());
   EXPECT_EQ(ToText(wish->command), "(cmd move [h 5])");
 
-  const auto ms = [](std::int64_t t) { return Time{t * 1000}; };
   std::map<std::string, TimeInterval> goals;
   for (const GoalSet* goal : mind.All<GoalSet>())
     goals.emplace(ToText(goal->target.payload), goal->target.interval);
@@ -673,6 +707,26 @@ TEST(Planning106, MoveThenGrabIntervalByInterval) {
   ASSERT_EQ(mind.All<PredictionSucceeded>().size(), 1u);
   EXPECT_EQ(mind.Found<PredictionSucceeded>()[0]->time, ms(800));
 }
+
+TEST_P(Planning106, TheConditionIsHypothesisedAndThePlanWeighed) {
+  // own in paper mode (semantics 6.2: the product of the confidences), OpenAERA in openaera mode (4.6, step
+  // 3: the last model's confidence by the time left to it). The hypothesis is sure at 3/4, or .6; the plan
+  // would have s in the hand at 900, and grasping has until 1000.
+  const bool openaera = GetParam() == AnalogyMode::kOpenaera;
+  ASSERT_EQ(Hypothesised(mind_).size(), 1u);
+  EXPECT_DOUBLE_EQ(Hypothesised(mind_)[0]->evidence.rate(), openaera ? 0.6 : 0.75);
+  const auto committed = mind_.All<PlanCommitted>();
+  ASSERT_EQ(committed.size(), 1u);
+  ASSERT_EQ(committed[0]->candidates.size(), 1u);
+  const PlanCandidate& plan = committed[0]->candidates[0];
+  EXPECT_EQ(plan.reaches, ms(900));
+  EXPECT_EQ(plan.deadline, ms(1000));
+  EXPECT_DOUBLE_EQ(plan.confidence, openaera ? 1 : 0.75);
+  EXPECT_DOUBLE_EQ(plan.score, openaera ? 1 / (1.000 - 0.710) : 0.75);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothModes, Planning106, testing::Values(AnalogyMode::kPaper, AnalogyMode::kOpenaera),
+                         [](const auto& mode) { return std::string(ToText(mode.param)); });
 
 }  // namespace
 }  // namespace aerascope::toy
