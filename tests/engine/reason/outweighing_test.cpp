@@ -141,6 +141,33 @@ TEST(Outweighing, WhatRestsOnTheOutweighedOneFallsWithIt) {
   EXPECT_EQ(mind.reasoner.knowledge().predictions().size(), 1u);
 }
 
+TEST(Outweighing, OfWhatACommandBringsNothingIsExpectedFromWhatIsOutweighed) {
+  // own. A command is to make x b, half surely, and z, nearly surely: b is given up before c is expected from
+  // it.
+  ToyMind mind;
+  const Term tell = Command("tell", {E("y")});
+  mind.Know({}, {},
+            {Tenths(1, tell, X("b"), 5), Tenths(2, tell, X("z"), 9),
+             Tenths(3, X("b"), Value(E("v"), "state", O("c")), 10)});
+  mind.See({X("a")});
+  mind.reasoner.Executed(tell, mind.reasoner.CommandIssued(tell, Commander::kTeacher, {}, {}));
+  EXPECT_THAT(AllGivenUp(mind), ElementsAre("b outweighed by z"));
+  EXPECT_EQ(mind.All<PredictionMade>().size(), 2u);
+}
+
+TEST(Outweighing, WhatFollowsFromACommandIsWeighedAtOnce) {
+  // own. q and then z are to come because of y. A command makes b, from which c would follow: it is
+  // outweighed by z in the same frame.
+  ToyMind mind;
+  const Term tell = Command("tell", {E("y")});
+  mind.Know({}, {},
+            {Tenths(1, tell, X("b"), 10), Tenths(2, X("b"), X("c"), 5), Tenths(3, Y("p"), Y("q"), 10),
+             Tenths(4, Y("q"), X("z"), 9)});
+  mind.See({Y("p")});
+  mind.reasoner.Executed(tell, mind.reasoner.CommandIssued(tell, Commander::kTeacher, {}, {}));
+  EXPECT_THAT(AllGivenUp(mind), ElementsAre("c outweighed by z"));
+}
+
 TEST(Outweighing, WhatWasOutweighedIsNotExpectedAgainWhileThatIsOpen) {
   // own. x leads over b to c, y over q to z instead of c. In the head c is given up once, not each time that
   // the mind thinks on; when b and q are seen, c is predicted from b once more, and outweighed once more.
@@ -192,6 +219,72 @@ TEST(Outweighing, WhatItSaidIsNoSurpriseWhenItComes) {
   mind.See({X("b"), Y("a")});
   for (const InductionStarted* started : mind.All<InductionStarted>())
     EXPECT_NE(started->induction, InductionKind::kChange);
+}
+
+// How often it was surprised that x came to be so.
+int SurprisedBy(const ToyMind& mind, const char* state) {
+  int times = 0;
+  for (const Event* event : mind.Found<InductionStarted>()) {
+    const auto& started = std::get<InductionStarted>(event->body);
+    if (started.induction != InductionKind::kChange) continue;
+    for (const FactObserved* seen : mind.All<FactObserved>())
+      times += seen->fact_id == started.consequent && seen->fact.payload == X(state) ? 1 : 0;
+  }
+  return times;
+}
+
+TEST(Outweighing, WhatItSaidIsASurpriseAtAnotherTime) {
+  // own. That b was predicted for the next frame, and outweighed, explains nothing that comes a frame later.
+  ToyMind mind;
+  mind.Know({}, {}, {Tenths(1, Y("a"), X("b"), 5), Tenths(2, Y("a"), X("b"), 9, false)});
+  mind.See({X("a"), Y("a")});
+  ASSERT_THAT(AllGivenUp(mind), ElementsAre("b outweighed by not b"));
+  mind.See({X("a"), Y("n")});
+  EXPECT_EQ(SurprisedBy(mind, "k"), 0);
+  mind.See({X("k"), Y("n")});
+  EXPECT_EQ(SurprisedBy(mind, "k"), 1);
+}
+
+TEST(Outweighing, WhatOnlyFollowedFromPredictionsIsASurpriseWhenItComes) {
+  // own. c was to follow from b, and z from q, which outweighed it; neither b nor q came, so nothing had
+  // predicted c from what was seen.
+  ToyMind mind;
+  mind.Know({}, {},
+            {Tenths(1, X("a"), X("b"), 10), Tenths(2, X("b"), X("c"), 5), Tenths(3, Y("p"), Y("q"), 10),
+             Tenths(4, Y("q"), X("z"), 9)});
+  mind.See({X("a"), Y("p")});
+  ASSERT_THAT(AllGivenUp(mind), ElementsAre("c outweighed by z"));
+  mind.See({X("m"), Y("n")});
+  mind.See({X("c"), Y("n")});
+  EXPECT_EQ(SurprisedBy(mind, "c"), 1);
+}
+
+TEST(Outweighing, TheSurestIsGivenUpFirstAndOfEqualsTheOneMadeFirst) {
+  // own: the order of events is that of sureness, then of numbers, in whichever order models come and
+  // whatever they speak of.
+  for (const bool surer_first : {false, true}) {
+    ToyMind mind;
+    mind.Know(
+        {}, {},
+        {Tenths(1, X("a"), X(surer_first ? "c" : "b"), surer_first ? 6 : 5),
+         Tenths(2, X("a"), X(surer_first ? "b" : "c"), surer_first ? 5 : 6), Tenths(3, X("a"), X("z"), 9)});
+    mind.See({X("a")});
+    EXPECT_THAT(AllGivenUp(mind), ElementsAre("c outweighed by z", "b outweighed by z"));
+  }
+  ToyMind mind;
+  std::vector<SeedModelDefinition> models;
+  std::vector<Term> seen;
+  std::vector<std::string> expected;
+  for (std::int64_t i = 0; i < 12; ++i) {
+    const Term thing = E("t" + std::to_string(i));
+    seen.push_back(Value(thing, "state", O("a")));
+    models.push_back(Tenths(2 * i + 1, seen.back(), Value(thing, "state", O("b" + std::to_string(i))), 5));
+    models.push_back(Tenths(2 * i + 2, seen.back(), Value(thing, "state", O("z")), 9));
+    expected.push_back("b" + std::to_string(i) + " outweighed by z");
+  }
+  mind.Know({}, {}, models);
+  mind.See(seen);
+  EXPECT_EQ(AllGivenUp(mind), expected);
 }
 
 TEST(Outweighing, ADriveThatItPromisedIsPursuedAgain) {
