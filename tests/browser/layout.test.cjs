@@ -25,6 +25,33 @@ for (const width of [1440, 1240, 800, 400]) {
   });
 }
 
+test("the lanes of twenty frames are in sight from beginning to end, and no tag in them is empty", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn");
+  const lanes = await page.evaluate(() => {
+    const scroll = document.querySelector(".lanes-scroll"), edge = scroll.getBoundingClientRect().right;
+    const tags = [...document.querySelectorAll(".lane-field .item")].filter((item) => item.querySelector(".bar"));
+    return { beyond: scroll.scrollWidth - scroll.clientWidth, count: tags.length, empty: tags.filter((tag) => !tag.querySelector(".mark") && !tag.querySelector("text").textContent).length,
+      cut: [...document.querySelectorAll(".lane-field text")].filter((text) => text.getBoundingClientRect().right > edge).map((text) => text.textContent) };
+  });
+  assert.ok(lanes.count > 20, String(lanes.count));
+  assert.deepEqual({ ...lanes, count: 0 }, { beyond: 0, count: 0, empty: 0, cut: [] });
+  await close();
+});
+
+test("lanes that are wider than the page say so and go on", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { width: 400, height: 860, hash: "#t=0" });
+  const more = page.locator(".lanes-pane .to-right"), back = page.locator(".lanes-pane .to-left");
+  await more.waitFor();
+  assert.equal(await back.isVisible(), false);
+  for (let i = 0; i < 20 && await more.isVisible(); ++i) {
+    await more.click();
+    await page.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
+  }
+  assert.equal(await more.isVisible(), false);
+  assert.ok(await back.isVisible());
+  await close();
+});
+
 for (const width of [1440, 1024, 400]) {
   test(`only the events in sight are in the page at ${width} px`, async () => {
     const { page, close } = await open(demo, { width, height: 800, hash: "#view=events&t=7" });

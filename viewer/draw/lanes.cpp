@@ -5,6 +5,7 @@
 #include "engine/base/text.h"
 #include "engine/query/describe.h"
 #include "viewer/draw/curves.h"
+#include "viewer/draw/lane_bars.h"
 #include "viewer/draw/marks.h"
 #include "viewer/draw/text_fit.h"
 #include "viewer/draw/time_scale.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr int kLabelWidth = 120;
 constexpr int kRowHeight = 28;
 constexpr int kBarHeight = 20;
+constexpr int kTagFont = 11;
+constexpr int kSignWidth = 11;
 constexpr std::size_t kMaxRows = 5;      // of one lane
 constexpr std::size_t kMaxMarks = 2000;  // of one lane
 
@@ -48,10 +51,13 @@ class Lanes {
     DrawSigns("Learned", Learned(false), false);
     DrawSigns("Made by analogy", Learned(true), true);
     std::swap(marks, svg_);
+    const int bottom = y_;
     DrawTimeAxis(svg_, time_, 14);
     svg_.Text(0, 14, "Time", {"d-2"});
-    for (const Time tick : time_.Ticks(56)) svg_.Line({time_.X(tick), top}, {time_.X(tick), y_}, "d-line");
+    for (const Time tick : time_.Ticks(56))
+      svg_.Line({time_.X(tick), top}, {time_.X(tick), bottom}, "d-line");
     svg_.Append(marks);
+    if (too_short_) DrawLegend();
     return y_;
   }
 
@@ -66,10 +72,12 @@ class Lanes {
       const int x = time_.X(phase.interval.after);
       const Rect rect{x, y_ + 4, std::max(2, time_.X(phase.interval.before) - x - 2), kBarHeight};
       svg_.Box(rect, "d-sunk");
-      svg_.Text(rect.x + 6, rect.y + 14,
-                FitText(phase.by == Commander::kTeacher ? "The teacher commands" : "The agent commands",
-                        rect.width - 12, 12),
-                {"d-2"});
+      const bool teacher = phase.by == Commander::kTeacher;
+      svg_.Text(
+          rect.x + 6, rect.y + 14,
+          WordsFor({teacher ? "The teacher commands" : "The agent commands", teacher ? "Teacher" : "Agent"},
+                   rect.width - 8, 12),
+          {"d-2"});
     }
     Label("Phase", 1);
   }
@@ -79,15 +87,20 @@ class Lanes {
     for (const DriveOutcome& drive : summary_.drives) {
       const std::string text =
           drive.title.empty() ? FactText(run_.final_knowledge(), drive.target) : drive.title;
-      bars.push_back({{drive.from, drive.until}, {text}, TagShape::kPointsLeft, "d-card", drive.outcome});
+      bars.push_back({InWholeFrames(run_, drive.from, drive.until),
+                      {text},
+                      TagShape::kPointsLeft,
+                      "d-card",
+                      drive.outcome});
     }
     return bars;
   }
   std::vector<Bar> Commands() const {
     std::vector<Bar> bars;
     for (const IssuedCommand& command : CommandsOf(run_)) {
-      bars.push_back({{command.time, command.interval.before},
-                      {PayloadText(run_.final_knowledge(), command.command), FunctionOf(command.command)},
+      bars.push_back({InWholeFrames(run_, command.time, command.interval.before),
+                      {PayloadText(run_.final_knowledge(), command.command),
+                       CommandWords(run_.final_knowledge(), command.command)},
                       TagShape::kBar,
                       command.by == Commander::kTeacher ? "d-teacher" : "d-bar",
                       command.refused.valid() ? Outcome::kFailed : Outcome::kOpen});
@@ -96,26 +109,16 @@ class Lanes {
   }
   std::vector<Bar> Predictions() const {
     std::vector<Bar> bars;
+    const std::map<PredictionId, std::string> short_targets = ShortTargets(run_, summary_.predictions);
     for (const PredictionRecordOfRun& prediction : summary_.predictions) {
-      bars.push_back({{prediction.time, prediction.until},
-                      ShorterAndShorter(prediction.target),
+      const std::string& in_short = short_targets.at(prediction.prediction);
+      bars.push_back({InWholeFrames(run_, prediction.time, prediction.until),
+                      {FactText(run_.final_knowledge(), prediction.target), in_short, LastResort(in_short)},
                       TagShape::kPointsRight,
                       "d-card",
                       prediction.outcome});
     }
     return bars;
-  }
-  static std::string FunctionOf(const Term& command) {
-    return IsCommand(command) ? Printable(command[0].name()) : std::string();
-  }
-  // "h holding [s1]", "holding [s1]", "[s1]".
-  std::vector<std::string> ShorterAndShorter(const Fact& fact) const {
-    std::vector<std::string> texts = {FactText(run_.final_knowledge(), fact)};
-    if (!IsValue(fact.payload) || !fact.positive) return texts;
-    const std::size_t space = texts[0].find(' ');
-    if (space != std::string::npos) texts.push_back(texts[0].substr(space + 1));
-    texts.push_back(ValueText(fact.payload[2]));
-    return texts;
   }
 
   std::vector<Sign> Learned(bool by_analogy) const {
@@ -157,19 +160,49 @@ class Lanes {
 
   void DrawBar(const Bar& bar, const Rect& rect) {
     const bool failed = bar.outcome == Outcome::kFailed;
+    const bool decided = bar.outcome != Outcome::kOpen;
     DrawTag(svg_, rect, bar.shape, failed ? "d-failed" : bar.classes);
-    const int pad = bar.shape == TagShape::kPointsLeft ? 10 : 5;
-    const int sign = bar.outcome == Outcome::kOpen || rect.width < 24 ? 0 : 16;
-    const int room = rect.width - pad - sign - (bar.shape == TagShape::kPointsRight ? 6 : 2);
-    const auto whole = std::find_if(bar.texts.begin(), bar.texts.end(), [room](const std::string& candidate) {
-      return !candidate.empty() && TextWidth(candidate, 11) <= room;
-    });
-    const std::string text = whole != bar.texts.end() ? *whole : FitText(bar.texts.front(), room, 11);
-    if (whole != bar.texts.end() || TextWidth(text, 11) > 24)
+    const int pad = bar.shape == TagShape::kPointsLeft ? 9 : 5;
+    const int room = rect.width - pad - (bar.shape == TagShape::kPointsRight ? 6 : 3);
+    const std::string text = WordsFor(bar.texts, decided ? room - kSignWidth : room, kTagFont);
+    if (!text.empty()) {
       svg_.Text(rect.x + pad, rect.y + 14, text, {"", 11});
-    if (sign == 0) return;
-    const Point at{rect.right() - (bar.shape == TagShape::kPointsRight ? 14 : 10), rect.centre().y};
-    failed ? DrawCross(svg_, at, 3) : DrawCheck(svg_, at, 4);
+    } else {
+      too_short_ = true;
+    }
+    // Where only one of both has room, the sign of what came of it; of what is open, the first letter.
+    if (decided) {
+      const Point sign{text.empty() ? rect.centre().x : rect.x + pad + room - kSignWidth / 2 + 1,
+                       rect.centre().y};
+      failed ? DrawCross(svg_, sign, 3) : DrawCheck(svg_, sign, 4);
+    } else if (text.empty()) {
+      const std::string letter(FirstLetter(bar.texts.back()));
+      svg_.Text(rect.centre().x, rect.y + 14, letter, {"", 11, TextAnchor::kMiddle});
+    }
+  }
+
+  // The first text that fits whole, else as much of the last as says something: two letters, and the number
+  // at its end, which tells names apart ("grab 1", "grab 2"). Empty where not even that has room.
+  static std::string WordsFor(const std::vector<std::string>& texts, int room, int font) {
+    for (const std::string& text : texts)
+      if (!text.empty() && TextWidth(text, font) <= room) return text;
+    const std::string& last = texts.back();
+    const bool numbered = last.size() > 1 && last.back() >= '0' && last.back() <= '9' && last[0] > '9';
+    const std::string tail = numbered ? last.substr(last.size() - 1) : "";
+    const std::string cut = FitText(last, room - TextWidth(tail, font), font);
+    const std::string least = std::string(FirstLetter(last)) + "\u2026";
+    return cut.size() > least.size() ? cut + tail : "";
+  }
+  void DrawLegend() {
+    static constexpr std::string_view kLegend =
+        "Tags too short for their words: a check came true or was reached, a cross failed, a letter begins "
+        "the "
+        "name of a command. The report names each.";
+    for (const std::string& line : WrapText(kLegend, time_.right(), kTagFont, 3)) {
+      svg_.Text(0, y_ + 14, line, {"d-3", kTagFont});
+      y_ += 16;
+    }
+    y_ += 8;
   }
 
   void DrawSigns(const std::string& label, const std::vector<Sign>& signs, bool stars) {
@@ -206,6 +239,7 @@ class Lanes {
   const EpisodeSummary& summary_;
   const TimeScale time_;
   int y_ = 0;
+  bool too_short_ = false;  // some tag has no room for its words
 };
 
 }  // namespace

@@ -2,7 +2,8 @@
 // axis.
 //
 // Marks of one lane never overlap: a lane opens further rows, up to a limit, and then says how many marks it
-// left out.
+// left out. A tag says in words what it is about, as far as it is wide; too short for that it keeps its
+// check, its cross or a first letter, and a line below says so.
 #pragma once
 
 #include "engine/query/episode_summary.h"

@@ -106,6 +106,10 @@ std::string FitText(std::string_view text, int width, double size, TextWeight we
   return TrimEnd(printable.substr(0, BytesThatFit(printable, rest, weight))) + std::string(kEllipsis);
 }
 
+std::string_view FirstLetter(std::string_view text) {
+  return text.empty() ? text : FirstCharacter(text).bytes;
+}
+
 std::vector<std::string> WrapText(std::string_view text, int width, double size, std::size_t max_lines,
                                   TextWeight weight) {
   const std::string printable = Printable(text);

@@ -18,6 +18,9 @@ int TextWidth(std::string_view text, double size, TextWeight weight = TextWeight
 // The text, or as much of its beginning as fits with "…" behind it.
 std::string FitText(std::string_view text, int width, double size, TextWeight weight = TextWeight::kRegular);
 
+// The first character of the text, which may be several bytes; empty of an empty text.
+std::string_view FirstLetter(std::string_view text);
+
 // At most max_lines lines broken between words; a word wider than a line is broken inside; the last line is
 // cut like FitText.
 std::vector<std::string> WrapText(std::string_view text, int width, double size, std::size_t max_lines,

@@ -81,8 +81,11 @@ std::string KnowledgeViewSvg(const Run& run, Time at, ModelId chosen, const Them
 
 std::string LanesSvg(const Run& run, const Theme& theme) {
   Svg svg;
-  const int height = DrawLanes(svg, run, Summarise(run), kWidth);
-  return OnPage(svg, {kWidth, height + 4}, run.title(), theme);
+  // Room for a word in each frame of a short run; a longer one is shortened.
+  const int width =
+      std::clamp(160 + 44 * static_cast<int>(std::min<std::size_t>(run.frames().size(), 100)), kWidth, 1600);
+  const int height = DrawLanes(svg, run, Summarise(run), width);
+  return OnPage(svg, {width, height + 4}, run.title(), theme);
 }
 
 std::string CurvesSvg(const Run& run, std::vector<ModelId> models, const Theme& theme) {

@@ -1,6 +1,6 @@
 // ---- lanes.js: everything over one time scale, with the one cursor that drags anywhere.
 
-const LANE = { axis: 22, phase: 20, row: 23, marks: 21, curve: 21, barHeight: 18, pad: 12, right: 44, curves: 5, rows: 5, bars: 260 };
+const LANE = { axis: 22, phase: 20, row: 23, marks: 21, curve: 21, barHeight: 18, pad: 12, right: 44, curves: 5, rows: 5, bars: 260, frame: 24 };
 
 function lanesPane(app) {
   const { clock, lanes, pieces } = app.report;
@@ -10,6 +10,7 @@ function lanesPane(app) {
   const field = svg("svg", { class: "lane-field" });
   const scroll = el("div", { class: "lanes-scroll", tabindex: "-1" }, el("div", { class: "lanes" }, labels, field));
   box.append(scroll);
+  const sidewaysChanged = showSideways(box, scroll);
 
   const span = Math.max(clock.end - clock.start, clock.period, 1);
   let scale = 1;      // pixels a microsecond
@@ -64,7 +65,8 @@ function lanesPane(app) {
     const labelWidth = parseFloat(style.width) || 136;
     const room = Math.max(200, box.clientWidth - labelWidth - LANE.pad - LANE.right);
     const frames = Math.max(1, app.frames.length);
-    const usual = Math.max(room, frames * (frames > 200 ? 14 : 44));
+    // The whole run is in sight while a frame has room for a word or at least a sign; else the field scrolls.
+    const usual = room / frames >= LANE.frame ? room : frames * (frames > 200 ? 14 : 44);
     zoom = clamp(zoom, room / usual, 8);
     scale = usual * zoom / span;
     width = LANE.pad + span * scale + LANE.right;
@@ -155,6 +157,7 @@ function lanesPane(app) {
     cursor.setAttribute("aria-valuemin", clock.start / 1e6);
     cursor.setAttribute("aria-valuemax", clock.end / 1e6);
     drawSight();
+    sidewaysChanged();
   }
 
   // What is in sight, and a little beside it.
@@ -230,9 +233,10 @@ function lanesPane(app) {
   }
 
   function phaseBar(phase, y) {
+    const short = phase.text.split(": ").pop();   // "the teacher commands", "teacher"
     const x = X(phase.from) + 1.5, w = Math.max(2, X(phase.to) - X(phase.from) - 3);
     return svg("g", {}, svg("title", { text: phase.text }), svg("rect", { class: "phase", x, y: y + 2, width: w, height: 16 }),
-      svg("text", { x: x + 5, y: y + 14, text: fitted(phase.text, w - 10, 11.5) }));
+      svg("text", { x: x + 5, y: y + 14, text: firstFitting([phase.text, short, short.split(" ")[1] || short], w - 7, 11.5) }));
   }
 
   // A goal's tag points left, a prediction's right, a command is a plain bar.
@@ -244,14 +248,16 @@ function lanesPane(app) {
         : `M${x} ${top}h${w}v${h}h${-w}Z`;
     const failed = bar.outcome === "failed";
     const decided = bar.outcome === "true" || failed;
-    const signRoom = decided && w > 22 ? 10 : 0;
+    const signRoom = decided && w > 12 ? 10 : 0;
     const left = x + (shape === "left" ? tip + 1 : 4);
-    const words = fitted(bar.text, x + w - left - signRoom - (shape === "right" ? tip - 3 : 2), 11);
+    const room = x + w - left - (shape === "right" ? tip - 3 : 2);
+    // Too short for words, a tag keeps the sign of what came of it, or its first letter.
+    const words = firstFitting(shape === "right" ? [bar.text, lastResort(bar.text)] : [bar.text], room - signRoom, 11) || (!signRoom && w > 9 ? Array.from(bar.text)[0] || "" : "");
     const state = { true: ", came true", failed: shape === "" ? ", refused" : ", failed", open: "" }[bar.outcome];
     const title = (bar.full || bar.text) + ", " + secondsText(bar.from) + " to " + secondsText(bar.to) + state;
     return selectable(bar.subject, title, (failed ? "failed " : "") + (shape === "" ? bar.by : ""), bar.from,
       svg("path", { class: "bar", d }), svg("text", { x: left, y: top + 13, text: words }),
-      signRoom ? signAt(failed ? "cross" : "check", x + w - (shape === "right" ? tip + 1 : 8), top + h / 2, 10, "mark") : "");
+      signRoom ? signAt(failed ? "cross" : "check", words ? left + room - 5 : x + w / 2, top + h / 2, 10, "mark") : "");
   }
 
   function laneMark(entry, next, y, sign) {
@@ -388,6 +394,9 @@ function lanesPane(app) {
   };
   return app.add(pane);
 }
+
+// Of a prediction in a word or two what is left where there is room for one: "at s1" is "s1", "not [s1]" is "not".
+const lastResort = (text) => (text.startsWith("not ") ? "not" : text.replace(/^[^\s[(]+ /u, ""));
 
 // Where in a list, ordered by `at`, the entries after t begin.
 function firstAfter(list, t, at) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/text.h"
+#include "viewer/draw/lane_bars.h"
 #include "viewer/page/event_log_data.h"
 #include "viewer/page/film_data.h"
 #include "viewer/page/graph_data.h"
@@ -148,10 +149,10 @@ class ReportAuthor {
   class Lane {
    public:
     explicit Lane(std::map<std::string, std::size_t>* texts) : texts_(texts) {}
-    void Add(Time from, Time to, const std::string& text, const std::string& full, std::size_t subject,
+    void Add(TimeInterval bar, const std::string& text, const std::string& full, std::size_t subject,
              int sign) {
-      data_["from"].push_back(from.us);
-      data_["to"].push_back(to.us);
+      data_["from"].push_back(bar.after.us);
+      data_["to"].push_back(bar.before.us);
       data_["text"].push_back(Number(text));
       data_["full"].push_back(Number(full));
       data_["subject"].push_back(subject);
@@ -181,17 +182,17 @@ class ReportAuthor {
     Lane goals(&texts), commands(&texts), predictions(&texts), taught(&texts), analogy(&texts);
     for (const DriveOutcome& drive : summary_.drives)
       if (const auto number = subjects_.Find(drive.goal))
-        goals.Add(FrameStart(drive.from), BarEnd(drive.from, drive.until), Printable(drive.title),
+        goals.Add(InWholeFrames(run_, drive.from, drive.until), Printable(drive.title),
                   FactText(knowledge_, drive.target), *number, static_cast<int>(drive.outcome));
     for (const IssuedCommand& command : subjects_.commands())
-      commands.Add(FrameStart(command.time), BarEnd(command.time, command.interval.before),
-                   CommandWord(command.command), PayloadText(knowledge_, command.command),
+      commands.Add(InWholeFrames(run_, command.time, command.interval.before),
+                   CommandWords(knowledge_, command.command), PayloadText(knowledge_, command.command),
                    *subjects_.Find(command.event),
                    (command.refused.valid() ? static_cast<int>(Outcome::kFailed) : 0) +
                        (command.by == Commander::kTeacher ? 4 : 0));
-    const std::map<PredictionId, std::string> targets = ShortTargets();
+    const std::map<PredictionId, std::string> targets = ShortTargets(run_, summary_.predictions);
     for (const PredictionRecordOfRun& prediction : summary_.predictions)
-      predictions.Add(FrameStart(prediction.time), BarEnd(prediction.time, prediction.until),
+      predictions.Add(InWholeFrames(run_, prediction.time, prediction.until),
                       targets.at(prediction.prediction), FactText(knowledge_, prediction.target),
                       *subjects_.Find(prediction.prediction), static_cast<int>(prediction.outcome));
     bool all_taught = true;
@@ -200,7 +201,7 @@ class ReportAuthor {
       if (record == nullptr) continue;
       const bool derived = record->origin == Origin::kAnalogy;
       (derived ? analogy : taught)
-          .Add(record->created, record->created, ShortTitle(record->model), TitleOf(knowledge_, id),
+          .Add({record->created, record->created}, ShortTitle(record->model), TitleOf(knowledge_, id),
                *subjects_.Find(id), 0);
       all_taught = all_taught && (derived || context_.TaughtAt(record->created));
     }
@@ -237,67 +238,12 @@ class ReportAuthor {
     return drives;
   }
 
-  // Bars of the lanes cover whole frames: reasoning and commands begin a little after a frame does.
-  Time FrameStart(Time t) const {
-    const auto frame = run_.FrameAt(t);
-    return frame ? run_.frames()[*frame].interval.after : t;
-  }
-  // The start of the frame in which `until` lies, or that frame's end where the bar would be empty.
-  Time BarEnd(Time from, Time until) const {
-    const Time end = FrameStart(until);
-    if (end > FrameStart(from)) return end;
-    const auto frame = run_.FrameAt(from);
-    return frame ? run_.frames()[*frame].interval.before : std::max(until, from);
-  }
-
-  std::string CommandWord(const Term& command) const {
-    if (!IsCommand(command)) return PayloadText(knowledge_, command);
-    std::string word = Printable(command[0].name());
-    std::replace(word.begin(), word.end(), '_', ' ');
-    return word;
-  }
-
   // What a requirement model is about in a word: the command of its causal model, else its title.
   std::string ShortTitle(const Model& requirement) const {
     const ModelRecord* target = knowledge_.Find(TargetModel(requirement));
     if (target != nullptr && IsCommand(target->model.lhs.payload))
-      return CommandWord(target->model.lhs.payload);
+      return CommandWords(knowledge_, target->model.lhs.payload);
     return TitleOf(knowledge_, requirement.id);
-  }
-
-  // What each prediction expects in a word or two: the value, or the thing that has this value at that moment
-  // ("at s1").
-  std::map<PredictionId, std::string> ShortTargets() const {
-    std::map<EventId, const PredictionRecordOfRun*> predictions;
-    for (const PredictionRecordOfRun& prediction : summary_.predictions)
-      predictions[prediction.event] = &prediction;
-    std::map<std::string, std::map<std::string, Term>> latest;  // attribute, entity, value
-    std::map<PredictionId, std::string> targets;
-    for (const Event& event : run_.events()) {
-      if (event.simulation.valid()) continue;
-      if (const auto* observed = std::get_if<FactObserved>(&event.body)) {
-        const Term& payload = observed->fact.payload;
-        if (observed->fact.positive && IsValue(payload) && payload[0].is(TermKind::kEntity))
-          latest[payload[1].name()][payload[0].name()] = payload[2];
-      }
-      if (const auto found = predictions.find(event.id); found != predictions.end())
-        targets[found->second->prediction] = ShortTarget(found->second->target, latest);
-    }
-    return targets;
-  }
-  std::string ShortTarget(const Fact& target,
-                          const std::map<std::string, std::map<std::string, Term>>& latest) const {
-    const Term& payload = target.payload;
-    if (!IsValue(payload)) return FactText(knowledge_, target);
-    const std::string sign = target.positive ? "" : "not ";
-    if (Place(payload[2]).empty()) return sign + ValueText(payload[2]);
-    const std::string relation = payload[1].name() == "position" ? "at " : Printable(payload[1].name()) + " ";
-    if (const auto others = latest.find(payload[1].name()); others != latest.end())
-      for (const auto& [name, value] : others->second) {
-        const bool itself = payload[0].is(TermKind::kEntity) && payload[0].name() == name;
-        if (!itself && SameValue(value, payload[2])) return sign + relation + Printable(name);
-      }
-    return sign + relation + ValueText(payload[2]);
   }
 
   // ---- pieces

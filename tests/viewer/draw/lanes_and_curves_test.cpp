@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <regex>
+#include <set>
+
 #include "engine/query/episode_summary.h"
 #include "engine/query/model_history.h"
 #include "tests/viewer/draw/svg_check.h"
 #include "viewer/draw/curves.h"
+#include "viewer/draw/lane_bars.h"
 #include "viewer/draw/lanes.h"
 
 namespace aerascope {
@@ -69,6 +73,48 @@ TEST(Lanes, EveryGoalCommandAndPredictionHasItsMark) {
   EXPECT_EQ(CountOf(svg.content(), "class=\"d-check\""), 5u + 9u)
       << "goals reached and predictions come true";
   EXPECT_EQ(CountOf(svg.content(), "class=\"d-star\""), 4u);
+}
+
+// Tags whose words had no room were empty boxes.
+TEST(Lanes, ATagTooShortForItsWordsKeepsASignOrALetter) {
+  const aerascope::Run run = PaperRun();
+  const EpisodeSummary summary = Summarise(run);
+  for (const int width : {1500, 960, 600, 300}) {
+    Svg svg;
+
+    DrawLanes(svg, run, summary, width);
+
+    const std::string content(svg.content());
+    const std::regex tag("class=\"d-(teacher|bar|card|failed)\"");
+    std::size_t tags = 0;
+    for (auto i = std::sregex_iterator(content.begin(), content.end(), tag); i != std::sregex_iterator();
+         ++i) {
+      const auto next = std::next(i);
+      const auto end =
+          next == std::sregex_iterator() ? content.size() : static_cast<std::size_t>(next->position());
+      const std::string inside = content.substr(static_cast<std::size_t>(i->position()),
+                                                end - static_cast<std::size_t>(i->position()));
+      EXPECT_TRUE(std::regex_search(inside, std::regex(">[^<]+</text>|d-check|d-cross")))
+          << width << ": " << inside;
+      ++tags;
+    }
+    EXPECT_EQ(tags, 5u + 14u + 9u);
+    EXPECT_EQ(content.find("too short for their words") != std::string::npos, width < 960) << width;
+  }
+}
+
+TEST(Lanes, WordsOfATagBecomeFewer) {
+  const aerascope::Run run = PaperRun();
+  const std::vector<PredictionRecordOfRun> predictions = Summarise(run).predictions;
+
+  std::set<std::string> targets;
+  for (const auto& [prediction, target] : ShortTargets(run, predictions)) targets.insert(target);
+
+  EXPECT_TRUE(targets.contains("at s1")) << "the thing that is at the place it speaks of";
+  EXPECT_TRUE(targets.contains("[s1]"));
+  EXPECT_EQ(LastResort("at s1"), "s1");
+  EXPECT_EQ(LastResort("[s1 s2]"), "[s1 s2]");
+  EXPECT_EQ(LastResort("not at s1"), "not") << "never the opposite of what was expected";
 }
 
 TEST(Lanes, WhatHasNoRoomIsCounted) {
