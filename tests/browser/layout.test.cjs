@@ -52,6 +52,47 @@ test("lanes that are wider than the page say so and go on", async () => {
   await close();
 });
 
+for (const [width, height] of [[400, 860], [375, 667]]) {
+  test(`the first screen of a telephone (${width} px) has the answer, the picture, the clock and the tabs`, async () => {
+    const { page, close } = await open(demo, { width, height });
+    for (const part of ["#summary", "#film", ".transport", "#moment", "#tab-overview", "#tab-events"]) {
+      const box = await page.locator(part).boundingBox();
+      assert.ok(box.y >= 0 && box.y + box.height <= height && box.x >= 0 && box.x + box.width <= width, part + JSON.stringify(box));
+    }
+    const first = await page.locator(".drive").first().boundingBox();
+    assert.ok(first.y < height - 80, "and begins with what was to be done");
+    await close();
+  });
+}
+
+test("on a telephone the third column of Knowledge is a touch away, and Reasoning's chain is within the page", async () => {
+  const { page, close } = await open(demo, { width: 400, height: 860, hash: "#view=knowledge&t=9" });
+  const rightmost = () => page.locator(".graph.heads .column").last().evaluate((node) => node.getBoundingClientRect().right);
+  assert.ok(await rightmost() > 400);
+  for (let i = 0; i < 6 && await page.locator(".graph-body .to-right").isVisible(); ++i) {
+    await page.locator(".graph-body .to-right").click();
+    await page.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
+  }
+  assert.ok(await rightmost() <= 400, "the end is reached");
+  await page.locator("#tab-reasoning").click();
+  const cells = await page.locator(".chain td").evaluateAll((list) => list.map((cell) => ({ right: cell.getBoundingClientRect().right, question: getComputedStyle(cell, "::before").content })));
+  assert.deepEqual(cells.slice(0, 5).map((cell) => cell.question), ["this happened", "while this held", "so this model applies", "expected", "and then"].map((text) => `"${text}"`));
+  assert.ok(cells.every((cell) => cell.right <= 400), JSON.stringify(cells));
+  await close();
+});
+
+test("on a telephone a button leads from the view to the selection", async () => {
+  const { page, close } = await open(demo, { width: 400, height: 860 });
+  const down = page.locator("#to-selection");
+  await page.locator(".drive-button").first().click();
+  await page.waitForFunction(() => document.getElementById("to-selection").textContent.includes("s1"));
+  await down.click();
+  await down.waitFor({ state: "hidden" });
+  const box = await page.locator("#inspector").boundingBox();
+  assert.ok(box.y < 400, String(box.y));
+  await close();
+});
+
 for (const width of [1440, 1024, 400]) {
   test(`only the events in sight are in the page at ${width} px`, async () => {
     const { page, close } = await open(demo, { width, height: 800, hash: "#view=events&t=7" });

@@ -141,6 +141,7 @@ function graphPane(app) {
       one.style.width = zoom === 1 ? "" : usualWidth() * zoom + "px";
       one.style.minWidth = one.style.maxWidth = zoom === 1 ? "" : "none";
     }
+    sidewaysChanged();
   }
   const usualWidth = () => clamp(box.clientWidth - 28, 500, 720);
   // Pixels a unit of the drawing.
@@ -176,6 +177,7 @@ function graphPane(app) {
   let waiting = 0;
   const later = (action) => { if (!waiting) waiting = requestAnimationFrame(() => { waiting = 0; action(); }); };
   box.addEventListener("scroll", () => later(drawSight));
+  const sidewaysChanged = showSideways(box.parentElement, box);
   new ResizeObserver(() => { if (app.view === "knowledge" && picture) { setZoom(); later(drawSight); } }).observe(box);
 
   // Zoom keeps what is pointed at where it is.

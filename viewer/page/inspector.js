@@ -348,8 +348,16 @@ function inspectorPane(app) {
         on: { click: () => { app.about(subject); app.setView("events"); } } }));
   }
 
+  // On a narrow page the selection lies far below what was chosen in: a button leads there while it is out of sight.
+  const down = $("to-selection");
+  down.addEventListener("click", () => { box.scrollIntoView(); });
+  new IntersectionObserver(([seen]) => { down.hidden = seen.isIntersecting; }).observe(box);
+
   return app.add({
-    showSelection(subject) { busyWith(draw(subject)); },
+    showSelection(subject) {
+      down.textContent = "\u2193 " + capitalised(subject.title);
+      busyWith(draw(subject));
+    },
     showTime(t) { for (const part of live) part(t); },
   });
 }

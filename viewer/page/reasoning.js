@@ -1,6 +1,7 @@
 // ---- reasoning.js: what the agent thought in the frame at the cursor: forward, from what was seen to what it
 // expected; backward, from what was wanted to the plans it tried in the head, the chosen one and the others.
 
+const CHAIN = ["this happened", "while this held", "so this model applies", "expected", "and then"];
 const LOOKED_AT = 200;   // goals of one frame that are drawn as a tree
 
 function reasoningPane(app) {
@@ -46,10 +47,10 @@ function reasoningPane(app) {
         const inputs = causes.filter((cause) => ["FactObserved", "ImdlFired", "PredictionMade", "CommandIssued"].includes(log.kind(cause).name));
         const outcome = [...log.effects(prediction)].filter((effect) => ["PredictionSucceeded", "PredictionFailed", "PredictionInvalidated"].includes(log.kind(effect).name));
         const list = (items) => (items.length ? items.slice(0, 4).map((event) => cell(event)) : [el("span", { class: "quiet", text: "\u2013" })]);
-        return el("tr", {}, el("td", {}, ...list(inputs)), el("td", {}, ...list(states)), el("td", {}, ...list(statements)), el("td", {}, cell(prediction)), el("td", {}, ...list(outcome.slice(0, 1))));
+        return el("tr", {}, ...[list(inputs), list(states), list(statements), [cell(prediction)], list(outcome.slice(0, 1))].map((items, i) => el("td", { "data-question": CHAIN[i] }, ...items)));
       });
       out.push(heading("What did it expect, and why?", `${made.length} ${made.length === 1 ? "prediction" : "predictions"}`),
-        el("div", { class: "wide" }, el("table", { class: "chain" }, el("thead", {}, el("tr", {}, ...["this happened", "while this held", "so this model applies", "expected", "and then"].map((text) => el("th", { text })))), el("tbody", {}, ...rows))));
+        el("div", { class: "wide" }, el("table", { class: "chain" }, el("thead", {}, el("tr", {}, ...CHAIN.map((text) => el("th", { text })))), el("tbody", {}, ...rows))));
       if (made.length > 24) out.push(el("p", { class: "quiet", text: `and ${made.length - 24} more` }));
     }
     const silent = decided.filter((event) => ![...log.effects(event)].some((effect) => named(effect, "PredictionMade")) && !made.some((prediction) => {
