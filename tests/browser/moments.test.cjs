@@ -2,6 +2,7 @@
 "use strict";
 const assert = require("node:assert/strict");
 const { test } = require("node:test");
+const { demo } = require("./lib/reports.cjs");
 const { quiet, time, useBrowser } = require("./lib/browser.cjs");
 
 const open = useBrowser();
@@ -56,5 +57,23 @@ test("dragging anywhere on the lanes scrubs film, graph and story together", asy
   assert.notEqual(await image(), earlyImage);
   assert.match(earlyCount, /^0 of 9/);
   assert.equal(await page.locator("#graph-count").textContent(), "9 of 9 pieces learned");
+  await close();
+});
+
+// Knowledge is that of a moment, Reasoning that of its whole frame; both called themselves "at 9.0 s", and 7.06 was 7.1.
+test("clock, lanes, Knowledge and Reasoning say the same moment, to the same decimals, and which part of its frame they show", async () => {
+  const { page, close } = await open(demo, { hash: "#view=knowledge&t=7.06" });
+  const text = (id) => page.locator(id).textContent();
+  assert.equal(await time(page), "7.06 s");
+  assert.equal(await text(".cursor text"), "7.06 s");
+  assert.equal(await text("#graph-title"), "What it knew at 7.06 s");
+  assert.equal(await text("#graph-part"), "frame 8, up to this moment");
+  await page.locator("#tab-reasoning").click();
+  assert.equal(await text("#reasoning-title"), "What it thought at 7.06 s");
+  assert.equal(await text("#reasoning-part"), "frame 8, all of it: 7.0 to 8.0 s");
+  await page.keyboard.press("ArrowLeft");
+  assert.equal(await text("#reasoning-title"), "What it thought at 7.0 s");
+  await page.locator("#tab-knowledge").click();
+  assert.equal(await text("#graph-count"), "5 of 9 pieces learned, 1 more in this frame");
   await close();
 });

@@ -26,6 +26,8 @@ function setTimeDecimals(periodUs) {
   if (periodUs > 0) timeDecimals = 3;
 }
 const clockText = (us) => (us / 1e6).toFixed(timeDecimals) + " s";
+// The same of a moment within a frame, which may have more.
+const momentText = (us) => (us / 1e6).toFixed(Math.max(timeDecimals, (tickText(us).split(".")[1] || "").length)) + " s";
 // Of an event, to the millisecond; what is finer would not help.
 const secondsText = (us) => String(Number((us / 1e6).toFixed(3))) + " s";
 const tickText = (us) => String(Number((us / 1e6).toFixed(3)));

@@ -34,6 +34,15 @@ class App {
     this.save();
   }
   get frame() { return frameAt(this.frames, this.t); }
+  // What the clock shows, everywhere the same; while it runs, not finer than frames need.
+  get clock() { return this.playing ? clockText(this.t) : momentText(this.t); }
+  // The frame in which the clock stands: "frame 8", "7.0 to 8.0 s"; null where the run has none.
+  get frameWords() {
+    const { frames, period } = this.report.clock;
+    if (!frames.length) return null;
+    const from = frames[this.frame], until = frames[this.frame + 1] ?? from + period;
+    return { name: "frame " + (this.frame + 1), span: clockText(from).replace(" s", "") + " to " + clockText(until) };
+  }
   // Frame starts, and the very end, are where the steps lead.
   step(by) {
     const n = this.frame;
@@ -160,6 +169,7 @@ class App {
       }, pause);
     }
     for (const pane of this.panes) if (pane.showPlaying) pane.showPlaying(this.playing !== 0);
+    if (!this.playing) this.go(this.t);
   }
 
   // ---- the address

@@ -40,7 +40,7 @@ function filmPane(app) {
       const moving = camera === cameras[0] && video !== null && video.show(t, exact);
       box.classList.toggle("moving", moving);
       if (!moving || exact) showImage(image, still.image);
-      image.alt = "The scene at " + clockText(still.at) + (camera.title ? ", camera " + camera.title : "");
+      image.alt = "The scene at " + momentText(still.at) + (camera.title ? ", camera " + camera.title : "");
       const next = camera.stills[camera.stills.indexOf(still) + 1];
       if (next) blockAddress(next.image);
       outlines.show(camera.outlines, moving ? t : exact ? t : still.at, boundObjects(app, t));
@@ -376,10 +376,10 @@ function transportPane(app) {
   button("forward", () => app.step(1));
   button("last", () => app.go(last));
   return app.add({
-    showTime(t) {
+    showTime() {
       const frame = app.frame;
       $("frame").textContent = app.report.clock.frames.length ? `frame ${frame + 1} of ${app.frames.length}` : "no frames";
-      $("time").textContent = clockText(t);
+      $("time").textContent = app.clock;
       const moment = app.report.moments[frame] || "";
       if ($("moment").dataset.text !== moment) {
         $("moment").dataset.text = moment;

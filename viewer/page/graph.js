@@ -586,8 +586,12 @@ function graphPane(app) {
       for (const part of parts) part(t);
       later(drawMap);
       const count = learned.filter((piece) => piece.born <= t).length;
-      $("graph-title").textContent = "What it knew at " + clockText(t);
-      $("graph-count").textContent = `${count} of ${learned.length} pieces learned`;
+      $("graph-title").textContent = "What it knew at " + app.clock;
+      const frame = app.frameWords;
+      const until = app.frames[app.frame + 1] ?? Infinity;
+      const soon = learned.filter((piece) => piece.born > t && piece.born < until).length;
+      $("graph-part").textContent = frame ? frame.name + ", up to this moment" : "";
+      $("graph-count").textContent = `${count} of ${learned.length} pieces learned` + (soon ? `, ${soon} more in this frame` : "");
     },
     markFound(ids) {
       found = ids;

@@ -377,8 +377,8 @@ function lanesPane(app) {
       const x = X(t);
       cursor.setAttribute("transform", `translate(${x} 0)`);
       cursor.setAttribute("aria-valuenow", t / 1e6);
-      cursor.setAttribute("aria-valuetext", clockText(t));
-      cursorText.textContent = clockText(t);
+      cursor.setAttribute("aria-valuetext", app.clock);
+      cursorText.textContent = app.clock;
       const wide = widthOf(cursorText.textContent, 11.5) + 14;
       cursorBox.setAttribute("x", -wide / 2);
       cursorBox.setAttribute("width", wide);

@@ -157,9 +157,11 @@ function reasoningPane(app) {
   const title = $("reasoning-title");
   const pane = {
     bringSelected: false,
-    showTime(t) {
+    showTime() {
       if (app.view !== "reasoning" || !log.causesOf) return;
-      title.textContent = "What it thought at " + clockText(t);
+      title.textContent = "What it thought at " + app.clock;
+      const words = app.frameWords;
+      $("reasoning-part").textContent = words ? `${words.name}, all of it: ${words.span}` : "";
       if (app.frame === drawn) return;
       // While time runs or is dragged, a frame is drawn only if it stays.
       waiting.cancel();
@@ -167,8 +169,8 @@ function reasoningPane(app) {
       if (now - changed > 150) draw(app.frame); else waiting.ask(90, () => { if (app.frame !== drawn) draw(app.frame); });
       changed = now;
     },
-    showView(view) { if (view === "reasoning") { pane.bringSelected = true; pane.showTime(app.t); markSelected(); } },
-    showSelection() { if (app.view === "reasoning") { pane.bringSelected = true; pane.showTime(app.t); markSelected(); } },
+    showView(view) { if (view === "reasoning") { pane.bringSelected = true; pane.showTime(); markSelected(); } },
+    showSelection() { if (app.view === "reasoning") { pane.bringSelected = true; pane.showTime(); markSelected(); } },
   };
   return app.add(pane);
 }
