@@ -56,6 +56,12 @@ class Writer {
          << Count(pieces, "piece of knowledge", "pieces of knowledge") << " about "
          << Count(models, "model", "models") << ", "
          << Count(knowledge_.composite_states().size(), "composite state", "composite states") << ".\n";
+    if (pieces + models > 0) {
+      out_ << "In brackets: right how often, of how often. What it was learned from counts as the first; by "
+              "analogy the first counts as much as the confidence it was made with. Confirmed models are "
+              "counted "
+              "anew.\n";
+    }
     for (const TriadGroup& group : graph_.groups) {
       if (!IsDrive(group)) WriteGroup(group);
     }

@@ -65,7 +65,7 @@ test("the numbers that paper.md speaks of are on the page of the demo", async ()
   const { page, close } = await open(reports.demo, { hash: "#t=15&sel=mdl_204&view=knowledge" });
   const text = await page.locator("#inspector").innerText();
   for (const words of ["\u03c8 = 3/4 = 0.75, accepted", "Starts at 0.75 \u00d7 1 (mdl_157) = 0.75", "Jaccard 0.6",
-    "Evidence: right 2.75 of 3.", "mdl_155", "cst_203", "cst_156 with the scene"]) {
+    "Evidence: right 2.75 of 3: 0.75 of 1 inherited by analogy from mdl_157, 2 of 2 since.", "mdl_155", "cst_203", "cst_156 with the scene"]) {
     assert.ok(text.includes(words), `"${words}" is not in the inspector: ${text}`);
   }
   assert.deepEqual(await page.locator("#inspector .life .dot, #inspector .life .star").count(), 3);

@@ -30,3 +30,33 @@ test("a run cut short and a report without frames say so", async () => {
   assert.ok(await page.locator(".plan .object").count() >= 5);
   await close();
 });
+
+test("evidence says what it began with: an observation, an analogy, a failure", async () => {
+  const { page, close } = await open("scenarios/pick_and_place", { hash: "#view=overview&t=15" });
+  const row = (title) => page.locator(".pieces tr", { hasText: title }).first();
+  const counts = async (title) => {
+    await row(title).locator("button").click();
+    await page.keyboard.press("End");
+    await page.waitForFunction((text) => document.querySelector("#inspector h2").textContent.toLowerCase().startsWith(text.toLowerCase()), title);
+    return page.locator("#inspector .counts").textContent();
+  };
+  assert.equal(await counts("Move the hand"), "Evidence: right 5 of 5, the observation it was learned from counted as the first.");
+  assert.equal(await row("Move the hand").locator("td").nth(2).textContent(), "4", "tried four times since");
+  assert.match(await counts("grab_type_1 something small"), /^Evidence: right 1\.75 of 2: 0\.75 of 1 inherited by analogy from mdl_\d+, 1 of 1 since\.$/);
+  assert.equal(await counts("grab_type_1 a small cube"), "Evidence: right 1 of 1, the observation it was learned from; not put to the test yet.");
+  await close();
+  const failure = await open("scenarios/size_pruned_first_scripted", { hash: "#view=knowledge&t=1.2" });
+  const veto = await failure.page.locator(".graph .item.veto").first().getAttribute("data-subject");
+  await failure.page.evaluate((id) => { location.hash = "#view=knowledge&t=1.2&sel=" + id; }, veto);
+  await failure.page.locator("#inspector .counts", { hasText: "the failure it was learned from" }).waitFor();
+  await failure.close();
+});
+
+// A change of state counted as a test.
+test("how often a model was tried is how often its evidence moved, also after it was confirmed", async () => {
+  const { page, close } = await open("scenarios/moving_ball", { hash: "#view=overview&t=2.9" });
+  const row = page.locator(".pieces tr", { hasText: "B speed S, with a ball" }).first();
+  assert.equal(await row.locator("td").nth(2).textContent(), "28");
+  await page.locator("#inspector .counts", { hasText: "Evidence: right 8 of 10, counted anew since 2 s, when it had been right often enough to be confirmed." }).waitFor();
+  await close();
+});

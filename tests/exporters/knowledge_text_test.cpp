@@ -21,24 +21,28 @@ std::string TextAt(int last_frame) {
 }
 
 TEST(KnowledgeTextTest, ListsWhatIsKnownUnderWhatItMakesPossible) {
-  EXPECT_EQ(TextAt(3),
-            "Knowledge at 2 s: 2 pieces of knowledge about 2 models, 4 composite states.\n"
-            "\n"
-            "mdl_30  move [H D] makes H at P + D.\n"
-            "    causal model, confidence 1 (1 of 1), learned at 1 s\n"
-            "  mdl_31  move the hand\n"
-            "      requirement model, confidence 1 (1 of 1), learned at 1 s\n"
-            "      if cst_1: H hand at P\n"
-            "\n"
-            "mdl_41  grab_type_1 [H] makes H holding [C].\n"
-            "    causal model, confidence 1 (1 of 1), learned at 2 s\n"
-            "  mdl_42  grab_type_1 a small cube\n"
-            "      requirement model, confidence 1 (1 of 1), learned at 2 s\n"
-            "      if cst_40: H holding []; C size small, at P; H hand at P; C shape cube\n"
-            "\n"
-            "Other composite states\n"
-            "  cst_2  C shape X, at P  (given)\n"
-            "  cst_3  C size X, at P  (given)\n");
+  EXPECT_EQ(
+      TextAt(3),
+      "Knowledge at 2 s: 2 pieces of knowledge about 2 models, 4 composite states.\n"
+      "In brackets: right how often, of how often. What it was learned from counts as the first; by "
+      "analogy the first counts as much as the confidence it was made with. Confirmed models are counted "
+      "anew.\n"
+      "\n"
+      "mdl_30  move [H D] makes H at P + D.\n"
+      "    causal model, confidence 1 (1 of 1), learned at 1 s\n"
+      "  mdl_31  move the hand\n"
+      "      requirement model, confidence 1 (1 of 1), learned at 1 s\n"
+      "      if cst_1: H hand at P\n"
+      "\n"
+      "mdl_41  grab_type_1 [H] makes H holding [C].\n"
+      "    causal model, confidence 1 (1 of 1), learned at 2 s\n"
+      "  mdl_42  grab_type_1 a small cube\n"
+      "      requirement model, confidence 1 (1 of 1), learned at 2 s\n"
+      "      if cst_40: H holding []; C size small, at P; H hand at P; C shape cube\n"
+      "\n"
+      "Other composite states\n"
+      "  cst_2  C shape X, at P  (given)\n"
+      "  cst_3  C size X, at P  (given)\n");
 }
 
 TEST(KnowledgeTextTest, SaysWhatAnAnalogyDropped) {

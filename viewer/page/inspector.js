@@ -171,9 +171,24 @@ function inspectorPane(app) {
     live.push((t) => {
       const step = lastAt(steps, t, (s) => s.at);
       counts.textContent = !step || step.total === undefined ? ""
-        : `Evidence: right ${shortNumber(step.positive)} of ${shortNumber(step.total)}` + (step.strong ? ", confirmed" : "") + (step.phasedOut ? ", phased out" : "") + ".";
+        : evidenceText(subject, steps, step) + (step.phasedOut ? " Phased out." : "");
     });
     return block(heading("How sure was it?", "confidence, moved by evidence"), picture, counts);
+  }
+  // How often it was right, and which part of that it began with: no test stands behind that.
+  function evidenceText(subject, steps, step) {
+    const count = (positive, total) => `${shortNumber(positive)} of ${shortNumber(total)}`;
+    const right = "Evidence: right " + count(step.positive, step.total);
+    // Right often enough, a model is confirmed, and its count begins anew; this may happen again.
+    let anew = steps.indexOf(step);
+    while (anew > 0 && steps[anew].total >= steps[anew - 1].total) --anew;
+    if (anew > 0) return `${right}, counted anew since ${secondsText(steps[anew].at)}, when it had been right often enough to be confirmed.`;
+    const [first] = steps;
+    const began = { given: "given", "by analogy": "inherited by analogy" + (subject.detail.derived_from ? " from " + subject.detail.derived_from : "") }[first.why]
+      || (subject.detail.strong ? "the failure it was learned from" : "the observation it was learned from");
+    if (step.total === first.total) return `${right}, ${began}; not put to the test yet.`;
+    if (first.positive === 1 && first.total === 1 && first.why !== "given") return `${right}, ${began} counted as the first.`;
+    return `${right}: ${count(first.positive, first.total)} ${began}, ${count(step.positive - first.positive, step.total - first.total)} since.`;
   }
   function value(x, y, anchor, step, room) {
     const number = sureText(step.sure);

@@ -28,7 +28,8 @@ function overviewPane(app) {
     const subject = app.subjectByNumber(number);
     const steps = log.confidence(number);
     const last = steps[steps.length - 1];
-    const tried = log.sure.start[number + 1] - log.sure.start[number] - 1;
+    // A change of state is a step, too, but no test.
+    const tried = steps.filter((step) => log.kind(step.event).name === "EvidenceUpdated").length;
     const sure = !last ? "" : last.deleted ? "given up at " + secondsText(last.at) : last.phasedOut ? "phased out" : sureText(last.sure);
     return el("tr", { class: last && last.deleted ? "gone" : "" },
       el("td", {}, el("button", { type: "button", class: "link plain", on: { click: () => { app.select(subject.id); app.go(subject.born); } } }, mark(subject.mark), capitalised(subject.title), " ", el("span", { class: "id", text: subject.id })),
@@ -74,7 +75,7 @@ function overviewPane(app) {
       : el("p", { class: "quiet", text: "Nothing: no goal was missed, no prediction failed, no command was refused." }),
     wrong.length > shownWrong.length ? el("p", { class: "quiet", text: `and ${wrong.length - shownWrong.length} more` }) : "",
     heading("What was learned?", `${learned.length} ${learned.length === 1 ? "piece" : "pieces"} of knowledge`),
-    learned.length ? el("table", { class: "pieces" }, el("thead", {}, el("tr", {}, el("th", { text: "when this works" }), el("th", { text: "learned" }), el("th", { text: "tried" }), el("th", { text: "sure at the end" }))),
+    learned.length ? el("table", { class: "pieces" }, el("thead", {}, el("tr", {}, el("th", { text: "when this works" }), el("th", { text: "learned" }), el("th", { text: "tried", title: "How often it was put to the test since; what it was learned from is not counted" }), el("th", { text: "sure at the end" }))),
       el("tbody", {}, ...shownPieces.map(pieceRow))) : "",
     learned.length > shownPieces.length ? el("p", { class: "quiet", text: `and ${learned.length - shownPieces.length} more, under Knowledge` }) : "",
   ].filter((node) => node));
