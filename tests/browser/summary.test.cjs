@@ -60,3 +60,22 @@ test("how often a model was tried is how often its evidence moved, also after it
   await page.locator("#inspector .counts", { hasText: "Evidence: right 8 of 10, counted anew since 2 s, when it had been right often enough to be confirmed." }).waitFor();
   await close();
 });
+
+// The film's place stayed empty where nothing has a position.
+test("a world without pictures and positions has a table of its things, as they are at the cursor", async () => {
+  const { page, noise, close } = await open("scenarios/two_ways", { hash: "#t=0&view=overview" });
+  const jar = page.locator("#film tr", { hasText: "jar" });
+  assert.match(await page.locator("#film .note").textContent(), /^What was seen of each thing\. This world has no scene to film\.$/);
+  assert.match(await jar.textContent(), /glass.*lid shut/);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowRight");
+  assert.match(await jar.textContent(), /glass.*lid open/);
+  await jar.getByRole("button").click();
+  await page.waitForFunction(() => document.querySelector("#film tr.bound")?.textContent.startsWith("jar"));
+  assert.match(await page.locator("#inspector h2").textContent(), /jar/);
+  assert.deepEqual(noise, []);
+  await close();
+  const line = await open("scenarios/moving_ball", { hash: "#t=0.2" });
+  assert.match(await line.page.locator("#film .note").textContent(), /^Places of things, drawn from the facts\./);
+  await line.close();
+});

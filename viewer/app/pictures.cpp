@@ -12,7 +12,7 @@ Result<EpisodePictures> EpisodePictures::Open(const Run& run) {
   auto source = SceneSourceOf(run.header());
   if (!source) return source.error();
   if (!*source) {
-    pictures.trouble_ = "This world has no scene to draw.";
+    pictures.trouble_ = "This world has no scene to film.";
     return pictures;
   }
   if (pictures.timeline_.empty()) {

@@ -1,5 +1,5 @@
-// ---- film.js: the picture of the moment, still or video, with outlines and names; or a plan of positions where there are
-// no pictures.
+// ---- film.js: the picture of the moment, still or video, with outlines and names; where there are no pictures a plan of
+// positions, and where nothing has a position a table of what is known of each thing.
 
 function filmPane(app) {
   const { film } = app.report;
@@ -294,17 +294,18 @@ function boundObjects(app, t) {
   return bound;
 }
 
-// Without stills: where things are, seen from above (or along a line), from the facts alone.
+// Without stills: where things are, seen from above (or along a line), from the facts alone; else what is known of each.
 function planPane(app) {
   const { objects, film } = app.report;
   const box = $("film");
   const places = new Map();
   for (const object of objects) {
-    const changes = object.changes.filter((change) => change.place);
+    const changes = object.changes.filter((change) => change.place && change.attribute === "position");
     if (changes.length) places.set(object.name, changes);
   }
-  box.append(el("p", { class: "note", text: film.note }));
-  if (!places.size) return app.add({});
+  const drawn = places.size ? "Places of things, drawn from the facts. " : objects.length ? "What was seen of each thing. " : "";
+  box.append(el("p", { class: "note", text: drawn + film.note }));
+  if (!places.size) return thingsTable(app, box);
   const all = [...places.values()].flat().map((change) => change.place);
   const flat = all.every((place) => place.length < 2);
   const width = 392, height = 220, margin = { x: 36, top: 24, bottom: 80 };
@@ -362,6 +363,30 @@ function planPane(app) {
         label.textContent = bound.get(name) ? bound.get(name) + " = " + name : name;
         group.classList.toggle("bound", bound.has(name));
         if (!group.parentNode) picture.append(group);
+      }
+    },
+  });
+}
+
+// What is known of each thing at the cursor, as rows that select it; those that the selection speaks of are outlined.
+function thingsTable(app, box) {
+  const { objects } = app.report;
+  if (!objects.length) return app.add({});
+  const rows = objects.map((object) => ({ object, name: el("button", { type: "button", class: "link", on: { click: () => app.select("thing:" + object.name) } }),
+    known: el("td", {}), row: el("tr", {}) }));
+  for (const { name, known, row } of rows) row.append(el("td", {}, name), known);
+  box.prepend(el("div", { class: "things" }, el("table", {}, el("thead", {}, el("tr", {}, el("th", { text: "thing" }), el("th", { text: "at this moment" }))),
+    el("tbody", {}, ...rows.map(({ row }) => row)))));
+  return app.add({
+    showTime(t) {
+      const bound = boundObjects(app, t);
+      for (const { object, name, known, row } of rows) {
+        name.textContent = bound.get(object.name) ? bound.get(object.name) + " = " + object.name : object.name;
+        row.classList.toggle("bound", bound.has(object.name));
+        const now = [...knownOf(object, t)];
+        known.replaceChildren(...(object.what ? [el("div", { class: "quiet", text: object.what })] : []),
+          ...now.map(([attribute, { value }]) => el("div", {}, el("span", { class: "quiet", text: attribute + " " }), el("b", { text: value }))),
+          now.length || object.what ? "" : el("span", { class: "quiet", text: "nothing yet" }));
       }
     },
   });

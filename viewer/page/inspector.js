@@ -103,9 +103,7 @@ function inspectorPane(app) {
     if (!object) return null;
     const body = el("tbody", {});
     live.push((t) => {
-      const now = new Map();
-      for (const change of object.changes) if (change.at <= t) now.set(change.attribute, change);
-      body.replaceChildren(...[...now].map(([attribute, change]) => el("tr", {}, el("td", { text: attribute }),
+      body.replaceChildren(...[...knownOf(object, t)].map(([attribute, change]) => el("tr", {}, el("td", { text: attribute }),
         el("td", { text: change.value }), el("td", { text: secondsText(change.at) }))));
     });
     return block(object.what ? el("p", { class: "say", text: object.what }) : "", heading("What is known of it now?", "since"), el("table", {}, body));

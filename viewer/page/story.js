@@ -115,6 +115,13 @@ function storyPane(app) {
   return app.add(pane);
 }
 
+// What was seen of a thing last, up to a time: attribute -> change.
+function knownOf(object, t) {
+  const now = new Map();
+  for (const change of object.changes) { if (change.at > t) break; now.set(change.attribute, change); }
+  return now;
+}
+
 // What is known of each thing now; fills the space under the film when the story is folded.
 function objectsPane(app) {
   const body = el("tbody", {});
@@ -123,9 +130,7 @@ function objectsPane(app) {
   return app.add({
     showTime(t) {
       body.replaceChildren(...app.report.objects.map((object) => {
-        const now = new Map();
-        for (const change of object.changes) { if (change.at > t) break; now.set(change.attribute, change.value); }
-        const text = [...now].map(([attribute, value]) => attribute + " " + value).join(", ");
+        const text = [...knownOf(object, t)].map(([attribute, { value }]) => attribute + " " + value).join(", ");
         return el("tr", {}, el("td", {}, el("button", { type: "button", class: "link", text: object.name, on: { click: () => app.select("thing:" + object.name) } }), " " + object.what), el("td", { text }));
       }));
     },
