@@ -99,6 +99,7 @@ std::vector<std::string> HeadlineOf(const Run& run, const EpisodeSummary& summar
                               "pieces of knowledge learned");
   if (!summary.by_analogy.empty())
     learned += ", " + std::to_string(summary.by_analogy.size()) + " by analogy";
+  if (!summary.given_up.empty()) learned += ", " + std::to_string(summary.given_up.size()) + " given up";
   headline.push_back(std::move(learned));
   if (summary.score.made > 0) {
     headline.push_back(std::to_string(summary.score.came_true) + " of " +
@@ -134,6 +135,7 @@ EpisodeSummary Summarise(const Run& run) {
     if (!IsRequirement(record.model) || record.origin == Origin::kSeed) continue;
     summary.learned.push_back(id);
     if (record.origin == Origin::kAnalogy) summary.by_analogy.push_back(id);
+    if (record.state == ModelState::kDeleted) summary.given_up.push_back(id);
   }
   summary.phases = PhasesOf(run);
   summary.headline = HeadlineOf(run, summary);

@@ -66,9 +66,10 @@ struct EpisodeSummary {
   std::vector<AnalogyOfRun> analogies;  // every comparison, accepted or not, in order
   std::vector<ModelId> learned;         // requirement models not from the seed: one a piece of knowledge
   std::vector<ModelId> by_analogy;      // those of them made by analogy
+  std::vector<ModelId> given_up;        // those of them that were deleted by the end
   std::vector<Phase> phases;
-  // "5 of 5 goals reached", "9 pieces of knowledge learned, 4 by analogy", "9 of 9 predictions came true",
-  // and where it applies "incomplete, last event 211": what a heading says.
+  // "5 of 5 goals reached", "9 pieces of knowledge learned, 4 by analogy, 2 given up", "9 of 9 predictions
+  // came true", and where it applies "incomplete, last event 211": what a heading says.
   std::vector<std::string> headline;
 };
 

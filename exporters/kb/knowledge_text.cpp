@@ -47,16 +47,22 @@ class Writer {
 
   void Write() {
     std::size_t pieces = 0;
+    std::size_t given_up = 0;
     std::size_t models = 0;
     for (const TriadGroup& group : graph_.groups) {
-      pieces += group.triads.size();
-      models += IsDrive(group) ? 0 : 1;
+      for (const Triad& triad : group.triads) ++(IsGivenUp(triad.requirement) ? given_up : pieces);
+      models += IsDrive(group) || IsGivenUp(group.causal_model) ? 0 : 1;
     }
     out_ << "Knowledge at " << SecondsText(knowledge_.now()) << ": "
          << Count(pieces, "piece of knowledge", "pieces of knowledge") << " about "
          << Count(models, "model", "models") << ", "
-         << Count(knowledge_.composite_states().size(), "composite state", "composite states") << ".\n";
-    if (pieces + models > 0) {
+         << Count(knowledge_.composite_states().size(), "composite state", "composite states");
+    if (given_up > 0) {
+      out_ << "; " << Count(given_up, "piece was given up and is", "pieces were given up and are")
+           << " not counted";
+    }
+    out_ << ".\n";
+    if (pieces + given_up + models > 0) {
       out_ << "In brackets: right how often, of how often. What it was learned from counts as the first; by "
               "analogy the first counts as much as the confidence it was made with. Confirmed models are "
               "counted "
@@ -73,6 +79,11 @@ class Writer {
   bool IsDrive(const TriadGroup& group) const {
     const ModelRecord* record = knowledge_.Find(group.causal_model);
     return record && KindOf(record->model) == ModelKind::kDrive && group.triads.empty();
+  }
+
+  bool IsGivenUp(ModelId id) const {
+    const ModelRecord* record = knowledge_.Find(id);
+    return record != nullptr && record->state == ModelState::kDeleted;
   }
 
   void WriteGroup(const TriadGroup& group) {

@@ -14,6 +14,17 @@ test("the header counts and says where the report comes from", async () => {
   await close();
 });
 
+test("what was given up is counted apart: in the header, in the overview, and in Knowledge up to the cursor", async () => {
+  const { page, close } = await open("scenarios/two_ways", { hash: "#view=overview&t=1.3" });
+  assert.match(await page.locator("#summary").textContent(), /; 7 pieces of knowledge learned, 1 given up; /);
+  assert.equal(await page.locator("#overview h2", { hasText: "What was learned?" }).locator("span").textContent(), "7 pieces of knowledge, 1 given up");
+  await page.locator("#tab-knowledge").click();
+  assert.equal(await page.locator("#graph-count").textContent(), "7 of 7 pieces learned, 1 given up");
+  await page.keyboard.press("Home");
+  assert.equal(await page.locator("#graph-count").textContent(), "0 of 7 pieces learned");
+  await close();
+});
+
 test("failures carry the fail colour and a cross", async () => {
   const { page, close } = await open("slipped");
   assert.equal(await page.locator(".lane-field .failed use[href='#m-cross']").count(), 2);

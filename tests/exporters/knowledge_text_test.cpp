@@ -53,6 +53,27 @@ TEST(KnowledgeTextTest, SaysWhatAnAnalogyDropped) {
             std::string::npos);
 }
 
+// Pieces that had been given up were counted as known.
+TEST(KnowledgeTextTest, WhatWasGivenUpIsNotCountedAsKnown) {
+  PaperEpisodeOptions options;
+  options.last_frame = 3;
+  std::vector<Event> events = PaperEpisode(options);
+  events.push_back({EventId{static_cast<std::int64_t>(events.size()) + 1},
+                    events.back().time,
+                    events.back().frame,
+                    {},
+                    {events.back().id},
+                    ModelStateChanged{ModelId{42}, ModelState::kActive, ModelState::kDeleted}});
+  std::ostringstream out;
+
+  ASSERT_TRUE(WriteKnowledgeText(KnowledgeFrom(events), out));
+
+  EXPECT_TRUE(
+      out.str().starts_with("Knowledge at 2 s: 1 piece of knowledge about 2 models, 4 composite states; "
+                            "1 piece was given up and is not counted.\n"))
+      << out.str();
+}
+
 TEST(KnowledgeTextTest, NothingIsKnownAtFirst) {
   std::ostringstream out;
   ASSERT_TRUE(WriteKnowledgeText(KnowledgeBase(), out));

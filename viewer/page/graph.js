@@ -590,9 +590,10 @@ function graphPane(app) {
       $("graph-title").textContent = "What it knew at " + app.clock;
       const frame = app.frameWords;
       const until = app.frames[app.frame + 1] ?? Infinity;
+      const gone = learned.filter((piece) => piece.gone !== null && piece.gone <= t).length;
       const soon = learned.filter((piece) => piece.born > t && piece.born < until).length;
       $("graph-part").textContent = frame ? frame.name + ", up to this moment" : "";
-      $("graph-count").textContent = `${count} of ${learned.length} pieces learned` + (soon ? `, ${soon} more in this frame` : "");
+      $("graph-count").textContent = `${count} of ${learned.length} pieces learned` + (gone ? `, ${gone} given up` : "") + (soon ? `, ${soon} more in this frame` : "");
     },
     markFound(ids) {
       found = ids;

@@ -7,7 +7,7 @@ function showHeader(app, story) {
   $("warning").textContent = warning;
   $("warning").hidden = !warning;
   summary.forEach((item, i) => {
-    const before = i === 0 ? "" : item.filter === "analogy" ? ", " : "; ";
+    const before = i === 0 ? "" : item.more ? ", " : "; ";
     $("summary").append(before, el("button", { type: "button", class: "link" + (item.failed ? " fail" : ""), text: item.text,
       on: { click: () => story.filter(item.filter) } }));
   });

@@ -63,6 +63,7 @@ function overviewPane(app) {
   }
 
   const learned = pieces.filter(([, own]) => own);
+  const givenUp = learned.filter(([number]) => app.subjectByNumber(number).gone !== null).length;
   const wrong = troubles();
   const reached = drives.filter((drive) => drive.outcome === 1).length;
   const shownPieces = learned.slice(0, 40), shownWrong = wrong.slice(0, 10);
@@ -74,7 +75,7 @@ function overviewPane(app) {
     wrong.length ? el("div", { class: "tree" }, ...shownWrong.map((event) => el("div", { class: "line" }, eventRow(app, event, { note: about(event) }))))
       : el("p", { class: "quiet", text: "Nothing: no goal was missed, no prediction failed, no command was refused." }),
     wrong.length > shownWrong.length ? el("p", { class: "quiet", text: `and ${wrong.length - shownWrong.length} more` }) : "",
-    heading("What was learned?", `${learned.length} ${learned.length === 1 ? "piece" : "pieces"} of knowledge`),
+    heading("What was learned?", `${learned.length} ${learned.length === 1 ? "piece" : "pieces"} of knowledge` + (givenUp ? `, ${givenUp} given up` : "")),
     learned.length ? el("table", { class: "pieces" }, el("thead", {}, el("tr", {}, el("th", { text: "when this works" }), el("th", { text: "learned" }), el("th", { text: "tried", title: "How often it was put to the test since; what it was learned from is not counted" }), el("th", { text: "sure at the end" }))),
       el("tbody", {}, ...shownPieces.map(pieceRow))) : "",
     learned.length > shownPieces.length ? el("p", { class: "quiet", text: `and ${learned.length - shownPieces.length} more, under Knowledge` }) : "",

@@ -61,8 +61,15 @@ class ReportAuthor {
     std::int64_t failed_goals = 0;
     for (const DriveOutcome& drive : summary_.drives)
       failed_goals += drive.outcome == Outcome::kFailed ? 1 : 0;
+    const auto given_up = static_cast<std::int64_t>(summary_.given_up.size());
     const auto item = [](std::string text, const char* filter, bool failed) {
       return json{{"text", std::move(text)}, {"filter", filter}, {"failed", failed}};
+    };
+    // What says more of the one before.
+    const auto more = [&item](std::int64_t count, const char* words, const char* filter) {
+      json data = item(std::to_string(count) + words, filter, false);
+      data["more"] = true;
+      return data;
     };
     json items = json::array();
     if (drives > 0) {
@@ -71,7 +78,8 @@ class ReportAuthor {
                failed_goals > 0));
     }
     items.push_back(item(Plural(learned, "piece") + " of knowledge learned", "learned", false));
-    if (analogies > 0) items.push_back(item(std::to_string(analogies) + " by analogy", "analogy", false));
+    if (analogies > 0) items.push_back(more(analogies, " by analogy", "analogy"));
+    if (given_up > 0) items.push_back(more(given_up, " given up", "learned"));
     items.push_back(item(std::to_string(summary_.score.came_true) + " of " +
                              Plural(summary_.score.made, "prediction") + " came true",
                          "prediction", summary_.score.failed > 0));

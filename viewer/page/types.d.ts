@@ -7,7 +7,7 @@ type Time = number;
 // The block "report-data": what the page needs before it is ready. Made by report_data.cpp.
 interface Report {
   title: string;
-  summary: { text: string; filter: string; failed?: boolean }[];
+  summary: { text: string; filter: string; failed?: boolean; more?: boolean }[];
   provenance: string;
   warning: string;
   clock: { start: Time; end: Time; period: Time; frames: Time[] };

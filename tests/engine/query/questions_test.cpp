@@ -268,6 +268,21 @@ TEST(EpisodeSummaryTest, CountsWhatCameOut) {
   EXPECT_GT(summary.analogies.size(), 4u);
 }
 
+// What was given up was counted as learned, and nobody said so.
+TEST(EpisodeSummaryTest, WhatWasGivenUpIsCountedApart) {
+  std::vector<Event> events = PaperEpisode();
+  const ModelId model = FirstByAnalogy(PaperRun());
+  events.push_back({EventId{static_cast<std::int64_t>(events.size()) + 1},
+                    events.back().time,
+                    events.back().frame,
+                    {},
+                    {events.back().id},
+                    ModelStateChanged{model, ModelState::kActive, ModelState::kDeleted}});
+  const EpisodeSummary summary = Summarise(Run::FromEvents({{}, std::move(events), true, std::nullopt}));
+  EXPECT_THAT(summary.given_up, ElementsAre(model));
+  EXPECT_EQ(summary.headline[1], "9 pieces of knowledge learned, 4 by analogy, 1 given up");
+}
+
 TEST(EpisodeSummaryTest, ARunCutShortSaysWhere) {
   PaperEpisodeOptions options;
   options.last_frame = 8;
