@@ -14,6 +14,46 @@ test("without an address it opens where experience first spoke about an analogy"
   await close();
 });
 
+test("without an address a run that missed a goal opens at the first that was missed, and one whose model failed there", async () => {
+  const missed = await open("scenarios/hand_grab_sphere_learn");
+  assert.equal(await time(missed.page), "1.4 s");
+  assert.match(await missed.page.locator("#moment").textContent(), /Goal missed: h holding \[\]\./);
+  assert.match(await missed.page.locator("#inspector .top").textContent(), /goal_\d+.*hold nothing/);
+  assert.equal(await inHash(missed.page, "view") || "overview", "overview");
+  await missed.close();
+  const failed = await open("scenarios/moving_ball");
+  assert.equal(await time(failed.page), "1.3 s");
+  await failed.close();
+});
+
+test("what the story shows stands in the address, and is gone back from", async () => {
+  const { page, close } = await open(demo, { hash: "#t=9&view=overview&story=goal" });
+  const rows = () => page.locator("#story li:not(.more)").count();
+  const pressed = (name) => page.locator("#chips").getByRole("button", { name }).getAttribute("aria-pressed");
+  assert.equal(await pressed("Goals"), "true");
+  const goals = await rows();
+  await page.locator("#chips").getByRole("button", { name: "Commands" }).click();
+  await page.waitForFunction(() => location.hash.includes("story=command"));
+  assert.notEqual(await rows(), goals);
+  await page.goBack();
+  await page.waitForFunction(() => document.querySelector("#chips [aria-pressed=true]").textContent === "Goals");
+  assert.equal(await rows(), goals);
+  await page.locator("#chips").getByRole("button", { name: "All" }).click();
+  await page.waitForFunction(() => !location.hash.includes("story="));
+  await close();
+});
+
+test("the list of keys tells each part of the address", async () => {
+  const { page, close } = await open(demo, { hash: "#t=9&view=events&th=dark&story=goal&words=seen&head=no&kinds=FactObserved&show=given:0&cam=side&about=thing:s1" });
+  await page.keyboard.press("?");
+  const text = await page.locator("#keys").textContent();
+  await page.waitForFunction(() => location.hash.includes("story="));
+  const parts = await page.evaluate(() => [...new URLSearchParams(location.hash.slice(1)).keys()]);
+  assert.ok(parts.length >= 9, parts.join());
+  for (const part of parts) assert.ok(text.includes(part + "="), part);
+  await close();
+});
+
 test("the address restores moment, selection and theme", async () => {
   const first = await open("full");
   const id = await firstAnalogy(first.page);

@@ -119,3 +119,39 @@ test("knowledge that is called the same is told apart by its id", async () => {
   assert.ok(conditions.some((text) => /^if .*H holding \[S\], S sphere at P/.test(text)), conditions.join("; "));
   await close();
 });
+
+// What was filled in above it pushed it away.
+test("the part that was asked for stays in sight while more is filled in above it, until the reader scrolls", async () => {
+  const { page, close } = await open(demo, { hash: "#t=9&view=overview&sel=mdl_204", height: 560 });
+  // Some browsers keep the place by themselves, others do not.
+  await page.evaluate(() => { document.getElementById("inspector").style.overflowAnchor = "none"; });
+  await page.locator("#inspector .jump").getByRole("button", { name: "why" }).click();
+  const top = () => page.locator("#part-why").evaluate((node) => node.getBoundingClientRect().top - document.getElementById("inspector").getBoundingClientRect().top);
+  // Something that comes late, as lists and pictures do.
+  const fillIn = () => page.evaluate(async () => {
+    const late = document.createElement("p");
+    late.style.height = "300px";
+    const first = document.querySelector("#inspector .block");
+    first.before(late);
+    first.append(late);
+    for (let i = 0; i < 3; ++i) await new Promise((resume) => requestAnimationFrame(resume));
+  });
+  const asked = await top();
+  assert.ok(asked < 120, String(asked));
+  await fillIn();
+  assert.ok(Math.abs(await top() - asked) < 3, String(await top()));
+  await page.mouse.move(1200, 300);
+  await page.mouse.wheel(0, -200);
+  await page.waitForFunction((before) => document.getElementById("part-why").getBoundingClientRect().top > before + 150, asked);
+  const moved = await top();
+  await fillIn();
+  assert.ok(await top() >= moved + 150, "left where the reader scrolled to");
+  // Asked for while the next selection is on its way.
+  await page.evaluate(() => {
+    document.querySelector(".drive-button").click();
+    [...document.querySelectorAll("#inspector .jump button")].find((button) => button.textContent === "why").click();
+  });
+  await page.waitForFunction(() => document.querySelector("#inspector h2").textContent === "hold s1");
+  assert.ok(await top() < 120, String(await top()));
+  await close();
+});

@@ -218,17 +218,22 @@ class App {
     this.saved = this.place();
     this.go(this.t);
   }
-  // Where nobody chose: the first thing made by analogy, else the first learned, else anything.
+  // Where nobody chose: the first goal that was missed, else the first thing made by analogy, else the first learned,
+  // else anything.
   firstChoice() {
-    const { lanes, pieces, subjects } = this.report;
-    const first = [lanes.analogy.subject[0], lanes.taught.subject[0], (pieces[0] || [])[0]].find((number) => number !== undefined);
+    const { drives, lanes, pieces, subjects } = this.report;
+    const missed = drives.find((drive) => subjects.outcome[drive.subject] === 2);
+    const first = [missed && missed.subject, lanes.analogy.subject[0], lanes.taught.subject[0], (pieces[0] || [])[0]].find((number) => number !== undefined);
     return first !== undefined ? subjects.id[first] : subjects.id[0] || (this.log.count ? "#1" : "");
   }
-  // Where nobody said when: the first time that experience spoke about the chosen thing, else when it came about.
+  // Where nobody said when: when the chosen thing failed, else the first time that experience spoke about it, else when it
+  // came about.
   firstMoment(subject) {
     if (!subject) return this.report.clock.start;
-    const spoken = subject.number >= 0 ? this.log.confidence(subject.number)[1] : null;
-    return spoken ? spoken.at : Math.max(subject.born, this.report.clock.start);
+    if (subject.outcome === "failed" && subject.decided) return this.log.time(subject.decided);
+    const [, ...spoken] = subject.number >= 0 ? this.log.confidence(subject.number) : [];
+    const telling = spoken.find((step) => step.failed) || spoken[0];
+    return telling ? telling.at : Math.max(subject.born, this.report.clock.start);
   }
 
   setTheme(theme) {

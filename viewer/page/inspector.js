@@ -17,9 +17,13 @@ function inspectorPane(app) {
     const sections = [definition(subject), eventFields(subject), facts(subject), life(subject), outcome(subject), requirements(subject),
       relatives(subject), plans(subject), whyNot(subject, against), comparisons(subject, compared), why(subject), led(subject), happenings(subject)];
     const shown = sections.filter((section) => section);
+    if (asked && asked.of !== subject.id) asked = null;
+    grown.disconnect();
     box.replaceChildren(top(subject, shown), ...shown);
+    for (const section of shown) grown.observe(section);
     box.scrollTop = 0;
     for (const part of live) part(app.t);
+    goToAsked();
   }
   async function comparisonsOf(subject) {
     if (subject.detail.comparison) return [subject.detail.comparison];
@@ -34,7 +38,7 @@ function inspectorPane(app) {
     for (const [id, text] of [["part-compared", "compared"], ["part-whynot", "why not"], ["part-why", "why"], ["part-led", "led to"], ["part-life", "life"]]) {
       const target = sections.map((section) => section.querySelector("#" + id)).find((node) => node);
       if (!target) continue;
-      jump.append(el("button", { type: "button", class: "link", text, on: { click: () => target.scrollIntoView({ block: "start" }) } }));
+      jump.append(el("button", { type: "button", class: "link", text, on: { click: () => goTo(target) } }));
     }
     const big = el("span", { class: "big" });
     if (subject.confidence.length) live.push((t) => showSure(big, subject, t));
@@ -42,6 +46,20 @@ function inspectorPane(app) {
       el("div", { class: "kind" }, mark(failed ? "cross" : subject.mark, failed ? "fail" : ""), el("span", { text: (subject.kind === "thing" ? "" : subject.id + ", ") + subject.detail.note }), jump),
       el("div", { class: "row" }, el("h2", { text: ["requirement", "model", "state"].includes(subject.kind) ? capitalised(subject.title) : subject.title }), big));
   }
+  // What is filled in later above the part that was asked for would push it away: it is scrolled to again, until the
+  // reader scrolls, or does anything else here. Asked for while another selection is on its way, it is that one's.
+  let asked = null;
+  function goTo(part) {
+    asked = { id: part.id, of: app.selected };
+    goToAsked();
+  }
+  function goToAsked() {
+    const part = asked && box.querySelector("#" + asked.id);
+    if (part) part.scrollIntoView({ block: "start" });
+  }
+  const grown = new ResizeObserver(goToAsked);
+  for (const touch of ["wheel", "touchstart", "pointerdown", "keydown"]) box.addEventListener(touch, () => { asked = null; }, { passive: true, capture: true });
+
   function showSure(big, subject, t) {
     const step = lastAt(subject.confidence, t, (s) => s.at);
     if (!step) { big.replaceChildren(el("small", { text: "not yet learned" })); return; }

@@ -76,6 +76,15 @@ function storyPane(app) {
 
   const pane = {
     filter(id) {
+      pane.choose(id);
+      app.keep("story", id === "all" ? "" : id);
+    },
+    restore(state) {
+      const wanted = STORY_KINDS.map(([id]) => id).find((id) => id === state.get("story")) || "all";
+      app.more.set("story", wanted === "all" ? "" : wanted);
+      if (wanted !== kind) pane.choose(wanted);
+    },
+    choose(id) {
       kind = id;
       for (const [name, chip] of chips) chip.setAttribute("aria-pressed", String(name === id));
       $("left").classList.remove("folded");
@@ -111,7 +120,7 @@ function storyPane(app) {
     }
     return low;
   }
-  pane.filter("all");
+  pane.choose("all");
   return app.add(pane);
 }
 
