@@ -88,7 +88,7 @@ std::vector<Binding> BindingsOf(const KnowledgeBase& knowledge, const Term& icst
 std::string BindingsText(const std::vector<Binding>& bindings);  // "H = h, C = s1, P = (0.15, 0.07)"
 
 // One event as one sentence: "Goal reached: h holding [s1].", "3 of 4 conditions of cst_31 hold; `C shape
-// cube` is dropped: mdl_44 starts at 0.75."
+// cube` is pruned: mdl_44 starts at 0.75."
 std::string SentenceOf(const Run& run, const Event& event);
 // The frame in one or two sentences: what came out, what was learned, what is done next. `frame` is a
 // position in run.frames().

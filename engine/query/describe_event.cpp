@@ -276,12 +276,12 @@ class Teller {
   std::string Of(const CompositeStateCreated& e) const {
     const std::string id = IdText(e.state.id);
     if (e.origin == Origin::kAnalogy) {
-      std::vector<std::string> dropped;
+      std::vector<std::string> pruned;
       for (const Condition& condition : ConditionsWithPruned(knowledge_, e.state.id)) {
-        if (condition.pruned) dropped.push_back("`" + condition.text + "`");
+        if (condition.pruned) pruned.push_back("`" + condition.text + "`");
       }
       std::string text = "Generalised: " + id + " from " + IdText(e.derived_from);
-      if (!dropped.empty()) text += ", without " + InWords(dropped);
+      if (!pruned.empty()) text += ", without " + InWords(pruned);
       return text + ".";
     }
     return (e.origin == Origin::kSeed ? "Given: " : "Learned: ") + id + ", " +
@@ -550,8 +550,8 @@ std::string Teller::Of(const AnalogyCompared& e) const {
   if (e.verdict != AnalogyVerdict::kAccepted) {
     return text + ": " + std::string(Words(e.verdict)) + " (" + FormatConfidence(e.psi) + ").";
   }
-  const std::string dropped = source ? QuotedConditions(knowledge_, source->state, missed) : "";
-  if (!dropped.empty()) text += "; " + dropped + (missed.size() == 1 ? " is dropped" : " are dropped");
+  const std::string pruned = source ? QuotedConditions(knowledge_, source->state, missed) : "";
+  if (!pruned.empty()) text += "; " + pruned + (missed.size() == 1 ? " is pruned" : " are pruned");
   return text + ": " + IdText(e.result_requirement) + " starts at " + FormatConfidence(e.confidence) + ".";
 }
 

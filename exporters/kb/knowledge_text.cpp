@@ -4,6 +4,7 @@
 #include <set>
 
 #include "engine/base/text.h"
+#include "engine/query/kb_diff.h"
 #include "engine/query/model_graph.h"
 #include "exporters/escape/escape.h"
 
@@ -35,7 +36,7 @@ std::string StatusText(const ModelRecord& record) {
                      FormatNumber(record.evidence.positive, 6) + " of " +
                      FormatNumber(record.evidence.total, 6) + ")";
   if (record.strong) text += ", confirmed";
-  if (record.state != ModelState::kActive) text += ", " + std::string(EnumName(record.state));
+  if (record.state != ModelState::kActive) text += ", " + std::string(WordsOf(record.state));
   const std::string source = record.derived_from.valid() ? IdText(record.derived_from) : "";
   return text + ", " + OriginText(record.origin, source, record.created);
 }
@@ -65,8 +66,7 @@ class Writer {
     if (pieces + given_up + models > 0) {
       out_ << "In brackets: right how often, of how often. What it was learned from counts as the first; by "
               "analogy the first counts as much as the confidence it was made with. Confirmed models are "
-              "counted "
-              "anew.\n";
+              "counted anew.\n";
     }
     for (const TriadGroup& group : graph_.groups) {
       if (!IsDrive(group)) WriteGroup(group);

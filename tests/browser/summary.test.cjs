@@ -18,6 +18,7 @@ test("what was given up is counted apart: in the header, in the overview, and in
   const { page, close } = await open("scenarios/two_ways", { hash: "#view=overview&t=1.3" });
   assert.match(await page.locator("#summary").textContent(), /; 7 pieces of knowledge learned, 1 given up; /);
   assert.equal(await page.locator("#overview h2", { hasText: "What was learned?" }).locator("span").textContent(), "7 pieces of knowledge, 1 given up");
+  assert.deepEqual(await page.locator(".lane-field .curve-item text").evaluateAll((texts) => texts.map((text) => text.textContent).filter((text) => /[a-z]/.test(text))), ["given up"], "in one word everywhere");
   await page.locator("#tab-knowledge").click();
   assert.equal(await page.locator("#graph-count").textContent(), "7 of 7 pieces learned, 1 given up");
   await page.keyboard.press("Home");

@@ -72,6 +72,8 @@ TEST(KnowledgeTextTest, WhatWasGivenUpIsNotCountedAsKnown) {
       out.str().starts_with("Knowledge at 2 s: 1 piece of knowledge about 2 models, 4 composite states; "
                             "1 piece was given up and is not counted.\n"))
       << out.str();
+  EXPECT_NE(out.str().find("requirement model, confidence 1 (1 of 1), given up, learned at 2 s"),
+            std::string::npos);
 }
 
 TEST(KnowledgeTextTest, NothingIsKnownAtFirst) {

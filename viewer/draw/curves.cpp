@@ -99,8 +99,10 @@ class Curve {
       DrawDot(svg_, point, 4, "d-dot");
     }
     // The end says of itself that it is one.
-    const bool paused = !step.success && step.state == ModelState::kPhasedOut;
-    const std::string reason = paused ? "paused" : step.state == ModelState::kDeleted ? "" : step.reason;
+    const bool phased_out = !step.success && step.state == ModelState::kPhasedOut;
+    const std::string reason = phased_out                           ? "phased out"
+                               : step.state == ModelState::kDeleted ? ""
+                                                                    : step.reason;
     if (reason.empty()) return;
     const int width = TextWidth(reason, 11);
     const int right_most = scale_.time.right() - width;

@@ -346,7 +346,7 @@ class Drawer {
       return x + TextWidth(fit, 12);
     };
     part(condition.subject, columns.subject, columns.relation - 4);
-    const int pruned_width = condition.pruned ? TextWidth("dropped", 11) + 8 : 0;
+    const int pruned_width = condition.pruned ? TextWidth("pruned", 11) + 8 : 0;
     int value_x = columns.relation;
     if (!condition.relation.empty()) {
       part(condition.relation, columns.relation, columns.value - 4);
@@ -355,7 +355,7 @@ class Drawer {
     const int end = part(condition.value, value_x, columns.end - pruned_width);
     if (!condition.pruned) return;
     svg_.Line({columns.subject - 2, base_line - 4}, {end + 2, base_line - 4}, "d-cut");
-    svg_.Text(columns.end, base_line, "dropped", {"d-3", 11, TextAnchor::kEnd});
+    svg_.Text(columns.end, base_line, "pruned", {"d-3", 11, TextAnchor::kEnd});
   }
 
   void DrawCondition(ModelId requirement, const Rect& rect) {
@@ -379,7 +379,7 @@ class Drawer {
     }
     if (record->state == ModelState::kActive) return;
     DrawCross(svg_, {square.right() - 2, square.y + 2}, 4);
-    const std::string word = record->state == ModelState::kDeleted ? "given up" : "paused";
+    const std::string word = record->state == ModelState::kDeleted ? "given up" : "phased out";
     // Over the ring where there is room, so that it lies on no link.
     open ? svg_.Text(centre.x - 4, square.y - 5, word, {"d-fail", 10, TextAnchor::kMiddle})
          : svg_.Text(square.right() + 6, square.y + 2, word, {"d-fail", 10});

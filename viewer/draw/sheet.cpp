@@ -362,7 +362,7 @@ class Sheet {
 
   void DrawFoot() {
     std::vector<std::string> signs;
-    if (!summary_.by_analogy.empty()) signs.push_back("Star: made by analogy. Struck: condition dropped.");
+    if (!summary_.by_analogy.empty()) signs.push_back("Star: made by analogy. Struck: condition pruned.");
     signs.push_back("Ring: confidence. Red and green: the two sides of a model.");
     svg_.Text(kMargin, y_, Join(signs, " "), {"d-3", 13});
     svg_.Text(kRight, y_, "aerascope", {"d-3", 13, TextAnchor::kEnd});

@@ -6,7 +6,7 @@ function signAt(name, x, y, size, more) {
     svg("use", { href: "#m-" + name }));
 }
 
-// The same for a line that a generalisation dropped: struck.
+// The same for a line that a generalisation pruned: struck.
 function conditionLine(line) {
   const parts = withVariables(line.text, line.vars);
   return line.cut ? [el("s", {}, ...parts)] : parts;

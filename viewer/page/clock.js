@@ -223,7 +223,7 @@ class App {
   firstChoice() {
     const { drives, lanes, pieces, subjects } = this.report;
     const missed = drives.find((drive) => subjects.outcome[drive.subject] === 2);
-    const first = [missed && missed.subject, lanes.analogy.subject[0], lanes.taught.subject[0], (pieces[0] || [])[0]].find((number) => number !== undefined);
+    const first = [missed && missed.subject, lanes.analogy.subject[0], lanes.learned.subject[0], (pieces[0] || [])[0]].find((number) => number !== undefined);
     return first !== undefined ? subjects.id[first] : subjects.id[0] || (this.log.count ? "#1" : "");
   }
   // Where nobody said when: when the chosen thing failed, else the first time that experience spoke about it, else when it

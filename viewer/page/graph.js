@@ -362,7 +362,7 @@ function graphPane(app) {
   const frame = (rect, name) => svg("rect", { class: name, x: rect[0] + 0.5, y: rect[1] + 0.5, width: rect[2] - 1,
     height: rect[3] - 1, rx: 6 });
 
-  // One line of words, the dropped ones struck.
+  // One line of words, the pruned ones struck.
   function foldedState(card, rect) {
     const [x, y, w, h] = rect;
     const middle = y + h / 2 + 4;

@@ -98,7 +98,7 @@ class GraphAuthor {
     return {};
   }
 
-  std::string OriginWord(Origin origin, Time created) const {
+  static std::string OriginWord(Origin origin) {
     switch (origin) {
       case Origin::kSeed:
         return "given";
@@ -107,14 +107,14 @@ class GraphAuthor {
       case Origin::kInduction:
       case Origin::kPredictionFailure:
       case Origin::kGoalSuccess:
-        break;
+        return "learned";
     }
-    return context_.TaughtAt(created) ? "taught" : "learned";
+    return "learned";
   }
 
   void AddLife(json& data, Origin origin, Time created) const {
     data["born"] = created.us;
-    data["origin"] = OriginWord(origin, created);
+    data["origin"] = OriginWord(origin);
     data["mark"] = MarkOf(origin);
   }
 

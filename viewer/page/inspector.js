@@ -63,7 +63,7 @@ function inspectorPane(app) {
   function showSure(big, subject, t) {
     const step = lastAt(subject.confidence, t, (s) => s.at);
     if (!step) { big.replaceChildren(el("small", { text: "not yet learned" })); return; }
-    if (step.deleted) { big.replaceChildren(el("small", { text: "deleted at " + secondsText(step.at) })); return; }
+    if (step.deleted) { big.replaceChildren(el("small", { text: "given up at " + secondsText(step.at) })); return; }
     big.replaceChildren(sureText(step.sure), el("small", { text: "sure at " + secondsText(t) }));
   }
 
@@ -175,7 +175,7 @@ function inspectorPane(app) {
         free = room ? x - 8 : x + 110;
       } else if (i === last) {
         picture.append(svg("text", { class: "value", x: right + 10, y: y + 2 }, svg("tspan", { text: sureText(step.sure) })),
-          svg("text", { class: "value", x: right + 10, y: y + 16, text: fitted(step.deleted ? "deleted" : step.why || "", width - right - 12, 11.5) }));
+          svg("text", { class: "value", x: right + 10, y: y + 16, text: fitted(step.deleted ? "given up" : step.why || "", width - right - 12, 11.5) }));
       } else if (x > free && X(steps[last].at) - x > 40) {
         const room = Math.min(X(steps[i + 1].at), right) - x - 8;
         picture.append(value(x + 6, y - 7, "start", step, room));

@@ -42,7 +42,7 @@ function lanesPane(app) {
     .sort((a, b) => a.at - b.at);
   /** @type {[string, { bars: any[], rows: number, longest: number }, string][]} */
   const LANES = [["Goals", barsOf(lanes.goals), "left"], ["Commands", barsOf(lanes.commands), ""], ["Predictions", barsOf(lanes.predictions), "right"]];
-  const MARKS = [[lanes.taught_label, marksOf(lanes.taught), "learned"], ["Learned: analogy", marksOf(lanes.analogy), "analogy"]];
+  const MARKS = [["Learned", marksOf(lanes.learned), "learned"], ["Made by analogy", marksOf(lanes.analogy), "analogy"]];
 
   // The selected model and those that changed most, in order of creation.
   const changing = pieces.map(([number], order) => {
@@ -290,7 +290,7 @@ function lanesPane(app) {
       svg("rect", { class: "focus", x: first - 36, y, width: Math.max(60, X(clock.end) - first + 70), height: LANE.curve, rx: 4 }),
       svg("path", { class: "curve", d }), ...dots,
       first > 44 ? svg("text", { x: first - 7, y: Y(all[0].sure) + 4, "text-anchor": "end", text: sureText(all[0].sure) }) : "",
-      last.deleted ? svg("text", { x: X(last.at) + 7, y: Y(last.sure) + 4, text: "deleted" })
+      last.deleted ? svg("text", { x: X(last.at) + 7, y: Y(last.sure) + 4, text: "given up" })
         : svg("text", { x: X(clock.end) + 9, y: Y(last.sure) + 4, text: sureText(last.sure) }));
   }
 

@@ -76,12 +76,6 @@ std::string ReportContext::SubjectOf(CompositeStateId state) const {
   return found == requirement_on.end() ? IdText(state) : IdText(found->second);
 }
 
-bool ReportContext::TaughtAt(Time time) const {
-  return std::any_of(summary.phases.begin(), summary.phases.end(), [&](const Phase& phase) {
-    return phase.by == Commander::kTeacher && phase.interval.after < time && time <= phase.interval.before;
-  });
-}
-
 std::optional<Time> ReportContext::DeletedAt(ModelId model) const {
   const auto history = histories.find(model);
   if (history == histories.end() || history->second.steps.empty()) return std::nullopt;

@@ -37,8 +37,6 @@ struct ReportContext {
   // The id of the knowledge that a card of a composite state belongs to: its first requirement model, else
   // itself; empty if there is no such state.
   std::string SubjectOf(CompositeStateId state) const;
-  // Whether something that came about at this time was shown by a teacher: his command ran until then.
-  bool TaughtAt(Time time) const;
   // When a model left the knowledge base; nothing while it is there.
   std::optional<Time> DeletedAt(ModelId model) const;
 

@@ -187,7 +187,7 @@ class ReportAuthor {
            {"to", phase.interval.before.us},
            {"text", phase.by == Commander::kTeacher ? "Guided experimentation: the teacher commands"
                                                     : "Task solving: the agent commands"}});
-    Lane goals(&texts), commands(&texts), predictions(&texts), taught(&texts), analogy(&texts);
+    Lane goals(&texts), commands(&texts), predictions(&texts), learned(&texts), analogy(&texts);
     for (const DriveOutcome& drive : summary_.drives)
       if (const auto number = subjects_.Find(drive.goal))
         goals.Add(InWholeFrames(run_, drive.from, drive.until), Printable(drive.title),
@@ -203,15 +203,13 @@ class ReportAuthor {
       predictions.Add(InWholeFrames(run_, prediction.time, prediction.until),
                       targets.at(prediction.prediction), FactText(knowledge_, prediction.target),
                       *subjects_.Find(prediction.prediction), static_cast<int>(prediction.outcome));
-    bool all_taught = true;
     for (const ModelId id : summary_.learned) {
       const ModelRecord* record = knowledge_.Find(id);
       if (record == nullptr) continue;
       const bool derived = record->origin == Origin::kAnalogy;
-      (derived ? analogy : taught)
+      (derived ? analogy : learned)
           .Add({record->created, record->created}, ShortTitle(record->model), TitleOf(knowledge_, id),
                *subjects_.Find(id), 0);
-      all_taught = all_taught && (derived || context_.TaughtAt(record->created));
     }
     json text_list = json::array();
     std::vector<std::string> in_order(texts.size());
@@ -221,8 +219,7 @@ class ReportAuthor {
             {"goals", goals.Take()},
             {"commands", commands.Take()},
             {"predictions", predictions.Take()},
-            {"taught", taught.Take()},
-            {"taught_label", all_taught ? "Learned: taught" : "Learned"},
+            {"learned", learned.Take()},
             {"analogy", analogy.Take()},
             {"texts", text_list}};
   }

@@ -1,7 +1,7 @@
 // Reads docs/questions.md: questions with the clicks that answer them, written in a fixed wording so that a test can do
 // just what a reader would. A question looks like this (the text in `code` is what stands on the screen; … stands for
 // anything, such as the number in mdl_…):
-//   ## 3. What was dropped?
+//   ## 3. What was pruned?
 //   Report: `pick_and_place`
 //   1. Click `compared` in the selection.
 //   Answer, in the selection:

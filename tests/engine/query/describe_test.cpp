@@ -205,7 +205,7 @@ TEST(DescribeTest, EventsAreSentences) {
   EXPECT_THAT(sentence(compared[0]),
               HasSubstr("2 of 4 conditions of cst_40 hold for s1: not familiar enough (0.5)."));
   EXPECT_THAT(sentence(compared[1]),
-              HasSubstr("3 of 4 conditions of cst_73 hold for s1; `C shape cube` is dropped: mdl_"));
+              HasSubstr("3 of 4 conditions of cst_73 hold for s1; `C shape cube` is pruned: mdl_"));
   EXPECT_THAT(sentence(compared[1]), HasSubstr(" starts at 0.75."));
   EXPECT_EQ(sentence(run.OfKind<GoalAchieved>()[0]), "Goal reached: h holding [s1].");
   EXPECT_EQ(sentence(run.OfKind<DriveInjected>()[0]), "Drive: hold s1.");

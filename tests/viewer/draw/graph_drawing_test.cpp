@@ -66,7 +66,7 @@ TEST(GraphDrawing, DroppedConditionsAreStruckInBothForms) {
 
   EXPECT_EQ(CountOf(folded, "class=\"d-cut\""), 4u);
   EXPECT_EQ(CountOf(open, "class=\"d-cut\""), 4u);
-  EXPECT_EQ(CountOf(open, ">dropped<"), 4u);
+  EXPECT_EQ(CountOf(open, ">pruned<"), 4u);
   EXPECT_NE(open.find("by analogy: 3 of 4 conditions hold for s1"), std::string::npos);
 }
 

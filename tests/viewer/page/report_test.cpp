@@ -205,7 +205,7 @@ TEST(Report, EverySubjectNamedSomewhereExists) {
       EXPECT_EQ(column.size(), ids.size()) << name;
     }
   }
-  for (const char* lane : {"goals", "commands", "predictions", "taught", "analogy"})
+  for (const char* lane : {"goals", "commands", "predictions", "learned", "analogy"})
     for (const json& number : data["lanes"][lane]["subject"])
       EXPECT_LT(number.get<std::size_t>(), ids.size());
   for (const json& band : data["graph"]["bands"])
