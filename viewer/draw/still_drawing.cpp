@@ -1,7 +1,9 @@
 #include "viewer/draw/still_drawing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <vector>
 
 #include "engine/query/describe.h"
 #include "viewer/draw/text_fit.h"
@@ -53,34 +55,53 @@ bool ContainsWord(std::string_view text, std::string_view word) {
 }
 
 void DrawOutline(Svg& svg, const SheetObject& object, double unit, const Theme& theme) {
-  if (object.outline.size() > 2) {
-    std::string path;
-    for (const SheetPoint& point : object.outline) {
-      path += (path.empty() ? "M" : "L") + SvgNumber(point.x) + " " + SvgNumber(point.y);
-    }
-    for (const bool halo : {true, false}) {
-      svg.Leaf("path", {{"d", path + "z"},
-                        {"fill", "none"},
-                        {"stroke", halo ? theme.surface : theme.ask},
-                        {"stroke-linejoin", "round"},
-                        {"stroke-width", (halo ? 5 : 2.5) * unit}});
-    }
+  if (object.outline.size() <= 2) return;
+  std::string path;
+  for (const SheetPoint& point : object.outline) {
+    path += (path.empty() ? "M" : "L") + SvgNumber(point.x) + " " + SvgNumber(point.y);
   }
-  const std::string name = FitText(object.name, 160, 14, TextWeight::kBold);
+  for (const bool halo : {true, false}) {
+    svg.Leaf("path", {{"d", path + "z"},
+                      {"fill", "none"},
+                      {"stroke", halo ? theme.surface : theme.ask},
+                      {"stroke-linejoin", "round"},
+                      {"stroke-width", (halo ? 5 : 2.5) * unit}});
+  }
+}
+
+void DrawName(Svg& svg, const std::string& name, SheetPoint at, double unit, const Theme& theme) {
   const std::string size = "font-size:" + SvgNumber(14 * unit) + "px";
   svg.Words("text", name,
-            {{"x", object.label.x},
-             {"y", object.label.y},
+            {{"x", at.x},
+             {"y", at.y},
              {"class", "d-b"},
              {"text-anchor", "middle"},
              {"style", size + ";fill:none;stroke:" + theme.surface +
                            ";stroke-linejoin:round;stroke-width:" + SvgNumber(4 * unit) + "px"}});
   svg.Words("text", name,
-            {{"x", object.label.x},
-             {"y", object.label.y},
-             {"class", "d-b d-ask"},
-             {"text-anchor", "middle"},
-             {"style", size}});
+            {{"x", at.x}, {"y", at.y}, {"class", "d-b d-ask"}, {"text-anchor", "middle"}, {"style", size}});
+}
+
+// Names lie over all outlines, and not on each other: the lower one moves down.
+void DrawNames(Svg& svg, std::vector<const SheetObject*> objects, double unit, const Theme& theme) {
+  struct Placed {
+    SheetPoint at;
+    double half;
+  };
+  std::stable_sort(objects.begin(), objects.end(),
+                   [](const SheetObject* a, const SheetObject* b) { return a->label.y < b->label.y; });
+  std::vector<Placed> placed;
+  const double line = 16 * unit;
+  for (const SheetObject* object : objects) {
+    const std::string name = FitText(object->name, 160, 14, TextWeight::kBold);
+    Placed here{object->label, TextWidth(name, 14, TextWeight::kBold) * unit / 2};
+    for (const Placed& other : placed) {
+      const bool beside = std::abs(other.at.x - here.at.x) >= other.half + here.half;
+      if (!beside && std::abs(other.at.y - here.at.y) < line) here.at.y = other.at.y + line;
+    }
+    DrawName(svg, name, here.at, unit, theme);
+    placed.push_back(here);
+  }
 }
 
 }  // namespace
@@ -104,9 +125,12 @@ Status DrawStill(Svg& svg, const SheetFrame& frame, const Rect& place, std::stri
   // Lines and letters keep their size on paper whatever the size of the still.
   const double unit = std::min(size->width / static_cast<double>(place.width),
                                size->height / static_cast<double>(place.height));
+  std::vector<const SheetObject*> named;
   for (const SheetObject& object : frame.objects) {
-    if (ContainsWord(words, object.name)) DrawOutline(svg, object, unit, theme);
+    if (ContainsWord(words, object.name)) named.push_back(&object);
   }
+  for (const SheetObject* object : named) DrawOutline(svg, *object, unit, theme);
+  DrawNames(svg, named, unit, theme);
   svg.Close();
   return Ok();
 }

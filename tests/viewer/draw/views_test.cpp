@@ -12,6 +12,7 @@
 #include "viewer/draw/curves.h"
 #include "viewer/draw/graph_drawing.h"
 #include "viewer/draw/marks.h"
+#include "viewer/draw/png.h"
 
 namespace aerascope {
 namespace {
@@ -131,6 +132,27 @@ TEST(Views, AMomentNeedsAPicture) {
   frame.at = Time{9'000'000};
   frame.png = "no picture";
   EXPECT_THAT(MomentSvg(run, frame, LightTheme()).error().message, HasSubstr("is not a PNG"));
+}
+
+// The name of a thing was cut by the outline of the one that held it.
+TEST(Views, NamesInAPictureLieOverAllOutlinesAndNotOnEachOther) {
+  const std::string png = *SvgToPng(SvgDocument({960, 540}, "still", "", ""));
+  const std::vector<SheetPoint> square = {{400, 200}, {500, 200}, {500, 300}, {400, 300}};
+  const SheetFrame frame{Time{0}, png, {{"cyl", square, {450, 205}}, {"h", square, {450, 200}}}};
+  Svg svg;
+
+  ASSERT_TRUE(DrawStill(svg, frame, {0, 0, 960, 540}, "h holding [cyl]", LightTheme()).ok());
+
+  const std::string content(svg.content());
+  EXPECT_LT(content.rfind("<path"), content.find(">cyl<"));
+  EXPECT_LT(content.rfind("<path"), content.find(">h<"));
+  std::vector<double> lines;
+  for (const std::string_view name : {">h<", ">cyl<"}) {
+    const std::size_t element = content.rfind("<text", content.find(name));
+    lines.push_back(std::stod(content.substr(content.find(" y=\"", element) + 4)));
+  }
+  EXPECT_EQ(lines[0], 200);
+  EXPECT_GE(lines[1], 214) << "the lower name moves down";
 }
 
 // The left and right ends of texts on the same line, in order.
