@@ -13,22 +13,3 @@ async function busyWith(promise) {
     if (!work.pending) delete document.documentElement.dataset.busy;
   }
 }
-
-// An action put off by some milliseconds. Asked again before that, only the last asked for is done.
-class Later {
-  constructor() {
-    this.timer = 0;
-    this.end = () => {};
-  }
-  ask(delay, action) {
-    this.cancel();
-    busyWith(new Promise((resume) => {
-      this.end = resume;
-      this.timer = setTimeout(() => { action(); resume(); }, delay);
-    }));
-  }
-  cancel() {
-    clearTimeout(this.timer);
-    this.end();
-  }
-}
