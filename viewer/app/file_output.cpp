@@ -44,7 +44,8 @@ bool IsEpisode(const std::string& path) {
   std::int32_t id = 0;
   for (std::size_t i = kApplicationIdAt; i < header.size(); ++i)
     id = id << 8 | static_cast<unsigned char>(header[i]);
-  return std::string_view(header.data()) == "SQLite format 3" && id == kEpisodeApplicationId;
+  constexpr std::string_view kSqlite("SQLite format 3\0", 16);  // with its NUL
+  return std::string_view(header.data(), kSqlite.size()) == kSqlite && id == kEpisodeApplicationId;
 }
 
 bool IsPlainOrNew(const std::string& path) {
