@@ -74,7 +74,7 @@ class Why(EndToEndTest):
         self.assertIn("#1", self.run_program("why", scripted_episode(), "#1").out)
 
     def test_what_does_not_exist(self):
-        self.assert_refused("why", scripted_episode(), "mdl_99999", says=["mdl_99999", "did you mean mdl_"])
+        self.assert_refused("why", scripted_episode(), "mdl_99999", says=["mdl_99999", "the nearest is mdl_"])
         self.assert_refused("why", scripted_episode(), "#99999", says=["#99999"])
         self.assert_refused("why", scripted_episode(), "zork", says=["zork", "mdl_14"])
 
