@@ -55,6 +55,9 @@ struct ModelLines {
   std::vector<std::string> variables;  // names of the variables in both
 };
 ModelLines LinesOf(const KnowledgeBase& knowledge, const Model& model);
+// The two sides of the model that a requirement model speaks about, in the names of the requirement model: so
+// that they read on from its condition. Without an instance of a known model on its right side: empty.
+ModelLines LinesOfTarget(const KnowledgeBase& knowledge, const Model& requirement);
 
 // A composite state: "H hand at P"; a causal model: "grab_type_2 [H]"; a requirement model: "grab_type_2
 // something large", "grab_type_1 a small cube", "move the hand", "veto: release a sphere, seen 0.2 s before"

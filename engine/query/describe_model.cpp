@@ -232,6 +232,24 @@ ModelLines LinesOf(const KnowledgeBase& knowledge, const Model& model) {
   return lines;
 }
 
+ModelLines LinesOfTarget(const KnowledgeBase& knowledge, const Model& requirement) {
+  const std::optional<InstanceSides> sides =
+      SidesOfInstance(knowledge, requirement.rhs.payload, NamesLikeItsState(knowledge, requirement));
+  if (!sides) return {};
+  ModelLines lines{SideText(knowledge, sides->lhs_positive, sides->lhs, sides->names),
+                   SideText(knowledge, sides->rhs_positive, sides->rhs, sides->names),
+                   {}};
+  const auto note = [&](int v) {
+    if (static_cast<std::size_t>(v) >= sides->names.size()) return;
+    const std::string& name = sides->names[static_cast<std::size_t>(v)];
+    if (std::find(lines.variables.begin(), lines.variables.end(), name) == lines.variables.end())
+      lines.variables.push_back(name);
+  };
+  ForEachVariable(sides->lhs, note);
+  ForEachVariable(sides->rhs, note);
+  return lines;
+}
+
 std::string TitleOf(const KnowledgeBase& knowledge, CompositeStateId id) {
   const CompositeStateRecord* record = knowledge.Find(id);
   return record ? OneLine(ConditionsOf(knowledge, record->state)) : IdText(id);

@@ -5,9 +5,20 @@
 
 #include "engine/base/text.h"
 #include "engine/query/describe.h"
+#include "engine/query/words.h"
 
 namespace aerascope {
 namespace {
+
+// The command that a wanted instance of a model comes down to, through models that ride on others; nil if to
+// none.
+Term CommandOf(const KnowledgeBase& knowledge, const Term& payload, int depth = 0) {
+  constexpr int kDeepest = 8;
+  if (IsCommand(payload)) return payload;
+  const std::optional<InstanceSides> sides =
+      depth < kDeepest ? SidesOfInstance(knowledge, payload, {}) : std::nullopt;
+  return sides ? CommandOf(knowledge, sides->lhs, depth + 1) : Term::Nil();
+}
 
 class TreeMaker {
  public:
@@ -20,10 +31,43 @@ class TreeMaker {
     for (const IssuedCommand& command : CommandsOf(run_)) {
       if (GoalNode* goal = Find(command.goal)) goal->commands.push_back(command);
     }
+    MarkChosen();
     return std::move(tree_);
   }
 
  private:
+  // What was set in the decision that a plan came from, and asks for one of its commands or for the condition
+  // of one of its steps, was on its way; so were the goals that these serve.
+  void MarkChosen() {
+    std::map<Time, std::vector<PlanStep>> steps;
+    for (const GoalNode& goal : tree_.goals) {
+      for (const PlanRecord& plan : goal.plans) {
+        if (plan.committed)
+          steps[plan.time].insert(steps[plan.time].end(), plan.steps.begin(), plan.steps.end());
+      }
+    }
+    std::vector<bool> asks(tree_.goals.size(), false);
+    for (std::size_t i = 0; i < tree_.goals.size(); ++i) {
+      const GoalNode& goal = tree_.goals[i];
+      const auto found = steps.find(goal.time);
+      if (found == steps.end()) continue;
+      const Term command = CommandOf(run_.final_knowledge(), goal.target.payload);
+      const bool for_asked = goal.parent != i && asks[goal.parent];
+      asks[i] = !command.is(TermKind::kNil) &&
+                std::any_of(found->second.begin(), found->second.end(), [&](const PlanStep& step) {
+                  Bindings bindings;
+                  return Match(command, step.command, bindings);
+                });
+      const bool condition =
+          for_asked && std::any_of(found->second.begin(), found->second.end(), [&](const PlanStep& step) {
+            return step.requirement.valid() && step.requirement == goal.model;
+          });
+      if (!asks[i] && !condition) continue;
+      for (std::size_t at = i; !tree_.goals[at].chosen; at = tree_.goals[at].parent)
+        tree_.goals[at].chosen = true;
+    }
+  }
+
   template <class Other>
   void Note(const Event&, const Other&) {}
 

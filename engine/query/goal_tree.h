@@ -56,6 +56,7 @@ struct GoalNode {
   std::vector<PlanRecord> plans;
   std::vector<IssuedCommand> commands;
   std::vector<SkippedGoal> skipped;
+  bool chosen = false;  // on the way of a plan that was committed to
 };
 
 struct GoalTree {

@@ -391,6 +391,14 @@ class TwoWays(EndToEndTest):
         sentence = next(line for line in call("events", episode_of(self.NAME)).out.splitlines() if "PlanCommitted" in line)
         self.assertRegex(sentence, r"score 1, reaching the goal at 1\.3 s; the other: sim_\d+ \(score 0\.562, at 1\.2 s\)\.")
 
+    def test_the_picture_of_goals_does_not_mark_what_was_wanted_of_another_thing(self):
+        # The plan grabs with the hand; that the sphere might grab itself was thought of, too.
+        svg = call("view", episode_of("hand_grab_sphere_learn"), "--what", "goals", "-o", "-").out
+        boxes = {re.search(r">([^<>]*makes[^<>]*)<", box)[1]: "d-chosen" in box
+                 for box in svg.split("<g data-id=") if re.search(r">([^<>]*makes[^<>]*)<", box)}
+        self.assertTrue(boxes["grab [h] makes h holding [s]"])
+        self.assertFalse(boxes["grab [s] makes s holding [s]"])
+
     def test_the_pull_is_less_sure_for_what_was_seen_of_it(self):
         pull = next(body["model"]["id"] for body in bodies(self.NAME, "ModelCreated")
                     if "(cmd pull " in body["model"]["definition"])

@@ -123,27 +123,6 @@ std::string CauseTreeSvg(const Run& run, const CauseTree& tree, CauseDirection d
 
 namespace {
 
-// Which goals the plans committed to went through: those set in the same decision by the models of the plan's
-// steps, and the goals that these serve.
-std::vector<bool> GoalsOfChosenPlans(const GoalTree& tree) {
-  std::set<std::pair<Time, ModelId>> used;
-  for (const GoalNode& goal : tree.goals) {
-    for (const PlanRecord& plan : goal.plans) {
-      if (!plan.committed) continue;
-      for (const PlanStep& step : plan.steps) {
-        used.emplace(plan.time, step.causal_model);
-        used.emplace(plan.time, step.requirement);
-      }
-    }
-  }
-  std::vector<bool> chosen(tree.goals.size(), false);
-  for (std::size_t i = 0; i < tree.goals.size(); ++i) {
-    if (!tree.goals[i].model.valid() || !used.contains({tree.goals[i].time, tree.goals[i].model})) continue;
-    for (std::size_t at = i; !chosen[at]; at = tree.goals[at].parent) chosen[at] = true;
-  }
-  return chosen;
-}
-
 // A plan in a line: what came of it, how sure it was, its commands.
 std::string PlanNote(const Run& run, const PlanRecord& plan) {
   std::vector<std::string> steps;
@@ -157,7 +136,6 @@ std::string PlanNote(const Run& run, const PlanRecord& plan) {
 
 std::string GoalTreeSvg(const Run& run, const GoalTree& tree, const Theme& theme) {
   constexpr std::size_t kMostPlans = 6;
-  const std::vector<bool> chosen = GoalsOfChosenPlans(tree);
   GraphToPlace graph;
   std::vector<TextBox> boxes;
   const std::size_t count = std::min(tree.goals.size(), kMaxDrawnBoxes);
@@ -167,7 +145,7 @@ std::string GoalTreeSvg(const Run& run, const GoalTree& tree, const Theme& theme
     if (goal.model.valid()) heading += " by " + IdText(goal.model);
     boxes.push_back(MakeBox(IdText(goal.goal), std::move(heading), goal.title));
     boxes.back().outcome = goal.outcome;
-    boxes.back().asked = chosen[i];
+    boxes.back().asked = goal.chosen;
     for (const PlanRecord& plan : goal.plans) {
       if (boxes.back().notes.size() == kMostPlans) break;
       boxes.back().notes.push_back(PlanNote(run, plan));

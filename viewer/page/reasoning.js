@@ -62,7 +62,7 @@ function reasoningPane(app) {
         el("div", { class: "tree" }, ...silent.slice(0, 40).map((event) => el("div", { class: "line" }, eventRow(app, event, { picture: false }))))));
     }
     if (held.length) {
-      out.push(el("details", {}, el("summary", {}, `What held: ${held.length} ${held.length === 1 ? "condition" : "conditions"}, ${allowed.length} of them said that a model applies`),
+      out.push(el("details", {}, el("summary", {}, `What held: ${held.length} ${held.length === 1 ? "condition" : "conditions"}; ${allowed.length === 1 ? "1 requirement model" : allowed.length + " requirement models"} spoke for or against a model`),
         el("div", { class: "tree" }, ...[...held, ...allowed].slice(0, 80).map((event) => el("div", { class: "line" }, eventRow(app, event, { picture: false })))),
         held.length + allowed.length > 80 ? el("p", { class: "quiet", text: `and ${held.length + allowed.length - 80} more, in the list of events` }) : ""));
     }

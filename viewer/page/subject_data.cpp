@@ -137,8 +137,7 @@ class DetailAuthor {
           {{"side", "lhs"}, {"label", "if"}, {"lines", {ConditionData(lines.lhs, lines.variables)}}});
     }
     const ModelId target = TargetModel(model);
-    if (const ModelRecord* causal = knowledge_.Find(target); causal != nullptr) {
-      const ModelLines lines = LinesOf(knowledge_, causal->model);
+    if (const ModelLines lines = LinesOfTarget(knowledge_, model); !lines.lhs.empty()) {
       const bool strong = KindOf(model) == ModelKind::kStrongRequirement;
       json line =
           ConditionData((strong ? "not: " : "") + lines.lhs + " \u2192 " + lines.rhs, lines.variables);

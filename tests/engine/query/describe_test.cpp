@@ -101,6 +101,33 @@ TEST(DescribeTest, AStrongRequirementDenies) {
             "If X weight heavy, then it is not so that lift [X] makes X level up.");
 }
 
+TEST(DescribeTest, WhatARequirementSpeaksAboutIsSaidInItsOwnNames) {
+  // Given a model of a thing X, and a requirement model that calls the thing it is about B,
+  KnowledgeBase knowledge;
+  const Model cm{{1},
+                 {},
+                 {true, MakeCommand(O("lift"), {V(0)}), V(1), V(2)},
+                 {true, MakeValue(V(0), O("level"), O("up")), V(3), V(4)},
+                 {},
+                 {},
+                 {"X"}};
+  const Model requirement{{2},
+                          {},
+                          {true, MakeValue(V(0), O("above"), V(3)), V(1), V(2)},
+                          {true, MakeImdl({1}, {}, {V(3), V(4), V(5)}), V(1), V(2)},
+                          {},
+                          {},
+                          {"X", "", "", "B"}};
+  knowledge.AddModel({cm, Origin::kSeed, {}, {}, {}, {}, false, ModelState::kActive, {}});
+  knowledge.AddModel({requirement, Origin::kSeed, {}, {}, {}, {}, false, ModelState::kActive, {}});
+  // then the model's sides read on from the condition: it is B that is lifted, not the X of either.
+  const ModelLines lines = LinesOfTarget(knowledge, requirement);
+  EXPECT_EQ(lines.lhs, "lift [B]");
+  EXPECT_EQ(lines.rhs, "B level up");
+  EXPECT_THAT(lines.variables, ElementsAre("B"));
+  EXPECT_EQ(LinesOfTarget(knowledge, cm).lhs, "");
+}
+
 TEST(DescribeTest, AConditionThatHeldEarlierIsSaidWithItsTime) {
   // Given a veto whose condition held two frames before what it forbids,
   KnowledgeBase knowledge;
