@@ -252,33 +252,30 @@ TEST(Analogy107, AThingOfWhichNothingIsKnownIsLeftAlone) {
   }
 }
 
+// The rate of the one requirement model made by analogy with requirement models of this evidence.
+double RateByAnalogyFrom(const ReasonerParameters& parameters, Evidence original) {
+  ToyMind mind(parameters);
+  Knowledge k;
+  k.of_requirements = original;
+  Learn(&mind, Thing("s", "sphere", "large"), k);
+  mind.See(Scene(10, "s", 15));
+  mind.Want(Holding("s"));
+  mind.Act();
+  EXPECT_EQ(Hypothesised(mind).size(), 1u);
+  return Hypothesised(mind).at(0)->evidence.rate();
+}
+
 TEST(Analogy107, TheConfidenceOfTheOriginalIsInherited) {
   // paper (semantics 10.7, row 9; equation 4): .75 of .8 is .6, and of .9 it is .675.
   for (const double right : {8, 9}) {
-    ToyMind mind;
-    Knowledge k;
-    k.of_requirements = {right, 10};
-    Learn(&mind, Thing("s", "sphere", "large"), k);
-    mind.See(Scene(10, "s", 15));
-    mind.Want(Holding("s"));
-    mind.Act();
-    ASSERT_EQ(Hypothesised(mind).size(), 1u);
-    EXPECT_DOUBLE_EQ(Hypothesised(mind)[0]->evidence.rate(), 0.75 * right / 10);
+    EXPECT_DOUBLE_EQ(RateByAnalogyFrom({}, {right, 10}), 0.75 * right / 10);
   }
 }
 
 TEST(Analogy107, TheConfidenceOfTheOriginalIsNotInheritedInOpenaeraMode) {
   // OpenAERA (semantics 10.7, row 9; 6, aspect cfd*): .6 of .8 and of .9 alike.
   for (const double right : {8, 9}) {
-    ToyMind mind(Openaera());
-    Knowledge k;
-    k.of_requirements = {right, 10};
-    Learn(&mind, Thing("s", "sphere", "large"), k);
-    mind.See(Scene(10, "s", 15));
-    mind.Want(Holding("s"));
-    mind.Act();
-    ASSERT_EQ(Hypothesised(mind).size(), 1u);
-    EXPECT_DOUBLE_EQ(Hypothesised(mind)[0]->evidence.rate(), 0.6);
+    EXPECT_DOUBLE_EQ(RateByAnalogyFrom(Openaera(), {right, 10}), 0.6);
   }
 }
 
