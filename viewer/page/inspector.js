@@ -93,7 +93,7 @@ function inspectorPane(app) {
     // What was bound in an earlier frame need not be so now: the outcome is still awaited.
     const frame = app.frames[frameAt(app.frames, t)];
     label.textContent = use && use[0] < frame ? "at " + secondsText(use[0]) : "now";
-    if (!bindings || !bindings.length) { node.replaceChildren(el("span", { class: "quiet", text: "bound to nothing at this moment" })); return; }
+    if (!bindings || !bindings.length) { node.replaceChildren(el("span", { class: "quiet", text: "no prediction rests on it at this moment" })); return; }
     node.replaceChildren(...bindings.flatMap(([name, value], i) => [i ? ", " : "", el("span", { class: "var", text: name }), " = ", el("b", { text: value })]));
   }
 
