@@ -8,15 +8,6 @@
 namespace aerascope {
 namespace {
 
-template <class T>
-struct IsVector : std::false_type {};
-template <class T>
-struct IsVector<std::vector<T>> : std::true_type {};
-template <class T>
-struct IsId : std::false_type {};
-template <class Tag>
-struct IsId<Id<Tag>> : std::true_type {};
-
 std::string_view PrefixOf(ModelId) {
   return "mdl_";
 }
@@ -88,7 +79,7 @@ void WriteFields(const Body& body, std::string* out);
 
 template <class Style, class T>
 void WriteValue(const T& value, std::string* out) {
-  if constexpr (IsId<T>::value) {
+  if constexpr (kIsId<T>) {
     if (!value.valid()) {
       *out += '-';
     } else {
@@ -103,7 +94,7 @@ void WriteValue(const T& value, std::string* out) {
     WriteValue<Style>(value.id, out);
     *out += ' ';
     Style::Write(DefinitionToTerm(value), out);
-  } else if constexpr (IsVector<T>::value) {
+  } else if constexpr (kIsVector<T>) {
     *out += '[';
     for (std::size_t i = 0; i < value.size(); ++i) {
       if (i > 0) *out += ", ";

@@ -38,6 +38,16 @@ constexpr void ForEachField(Visit&& visit) {
   std::apply([&](const auto&... field) { (visit(field), ...); }, Body::Fields());
 }
 
+// Whether a field is a list, and whether it is the number of something.
+template <class Value>
+inline constexpr bool kIsVector = false;
+template <class Item>
+inline constexpr bool kIsVector<std::vector<Item>> = true;
+template <class Value>
+inline constexpr bool kIsId = false;
+template <class Tag>
+inline constexpr bool kIsId<Id<Tag>> = true;
+
 // The stable names of an enum's values, in order of the values from 0.
 template <class Enum>
 inline constexpr std::array<std::string_view, 0> kEnumNames{};
@@ -427,6 +437,27 @@ template <>
 inline constexpr std::array<std::string_view, 11> kEnumNames<GoalSkipReason>{
     "already_holds", "loop",     "too_deep",       "no_model", "budget", "predicted",
     "property",      "too_late", "low_confidence", "unbound",  "vetoed"};
+
+// Whether what is skipped for this reason is missing in the end; the others hold, come by themselves or are
+// pursued elsewhere.
+constexpr bool Hinders(GoalSkipReason reason) {
+  switch (reason) {
+    case GoalSkipReason::kAlreadyHolds:
+    case GoalSkipReason::kPredicted:
+    case GoalSkipReason::kLoop:
+      return false;
+    case GoalSkipReason::kTooDeep:
+    case GoalSkipReason::kNoModel:
+    case GoalSkipReason::kBudget:
+    case GoalSkipReason::kProperty:
+    case GoalSkipReason::kTooLate:
+    case GoalSkipReason::kLowConfidence:
+    case GoalSkipReason::kUnbound:
+    case GoalSkipReason::kVetoed:
+      return true;
+  }
+  return true;
+}
 
 struct GoalSkipped {
   GoalId super_goal;

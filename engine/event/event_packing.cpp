@@ -11,11 +11,6 @@
 namespace aerascope {
 namespace {
 
-template <class T>
-struct IsVector : std::false_type {};
-template <class T>
-struct IsVector<std::vector<T>> : std::true_type {};
-
 // What a value is put together from, once for both directions. A body is put together from its fields.
 auto Parts(auto& value) requires
     std::is_same_v<std::remove_const_t<std::remove_reference_t<decltype(value)>>, Fact> {
@@ -57,7 +52,7 @@ struct Packing {
       terms.Pack(value, to);
     } else if constexpr (std::is_same_v<T, std::string>) {
       to->PutText(value);
-    } else if constexpr (IsVector<T>::value) {
+    } else if constexpr (kIsVector<T>) {
       to->Put(static_cast<std::uint32_t>(value.size()));
       if constexpr (std::is_trivially_copyable_v<typename T::value_type>) {
         to->PutBytes(value.data(), value.size() * sizeof(typename T::value_type));
@@ -82,7 +77,7 @@ struct Unpacking {
       value = terms.Unpack(from);
     } else if constexpr (std::is_same_v<T, std::string>) {
       value = from->GetText();
-    } else if constexpr (IsVector<T>::value) {
+    } else if constexpr (kIsVector<T>) {
       value.resize(from->Get<std::uint32_t>());
       if constexpr (std::is_trivially_copyable_v<typename T::value_type>) {
         const std::size_t bytes = value.size() * sizeof(typename T::value_type);

@@ -15,27 +15,6 @@ std::string KeyOf(GoalId super, const Fact& target) {
   return std::to_string(super.value) + (target.positive ? "/" : "/not ") + Encode(target.payload);
 }
 
-// Whether what is skipped for this reason is missing in the end; the others hold, come by themselves or are
-// pursued elsewhere.
-bool Hinders(GoalSkipReason reason) {
-  switch (reason) {
-    case GoalSkipReason::kAlreadyHolds:
-    case GoalSkipReason::kPredicted:
-    case GoalSkipReason::kLoop:
-      return false;
-    case GoalSkipReason::kTooDeep:
-    case GoalSkipReason::kNoModel:
-    case GoalSkipReason::kBudget:
-    case GoalSkipReason::kProperty:
-    case GoalSkipReason::kTooLate:
-    case GoalSkipReason::kLowConfidence:
-    case GoalSkipReason::kUnbound:
-    case GoalSkipReason::kVetoed:
-      return true;
-  }
-  return true;
-}
-
 }  // namespace
 
 GoalEntry GoalLog::Set(const GoalEntry& super, ModelId model, const Fact& target) {

@@ -21,14 +21,9 @@ inline constexpr int kCommonColumns = 5;  // seq, time_us, frame, in_simulation,
 // The columns every list table begins with.
 inline constexpr int kListColumns = 2;  // event, position
 
-template <class T>
-struct IsVectorType : std::false_type {};
-template <class T>
-struct IsVectorType<std::vector<T>> : std::true_type {};
-
 // Kept in a table of its own; a list of plain numbers is one BLOB instead.
 template <class T>
-inline constexpr bool kIsList = IsVectorType<T>::value && !std::is_same_v<T, std::vector<double>>;
+inline constexpr bool kIsList = kIsVector<T> && !std::is_same_v<T, std::vector<double>>;
 
 template <class T>
 concept HasFields = requires {

@@ -14,22 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class T>
-struct IsVector : std::false_type {};
-template <class T>
-struct IsVector<std::vector<T>> : std::true_type {};
-template <class T>
-struct IsId : std::false_type {};
-template <class Tag>
-struct IsId<Id<Tag>> : std::true_type {};
-
 template <class Body>
 Json FieldsOf(const Body& body);
 
 // The value of any field the schema may have (event_body.h names the types).
 template <class T>
 Json ValueOf(const T& value) {
-  if constexpr (IsId<T>::value) {
+  if constexpr (kIsId<T>) {
     return value.valid() ? Json(IdText(value)) : Json(nullptr);
   } else if constexpr (std::is_enum_v<T>) {
     return EnumName(value);
@@ -51,7 +42,7 @@ Json ValueOf(const T& value) {
     return {{"positive", value.positive}, {"total", value.total}};
   } else if constexpr (std::is_same_v<T, CompositeState> || std::is_same_v<T, Model>) {
     return {{"id", IdText(value.id)}, {"definition", Encode(DefinitionToTerm(value))}};
-  } else if constexpr (IsVector<T>::value) {
+  } else if constexpr (kIsVector<T>) {
     Json list = Json::array();
     for (const auto& item : value) list.push_back(ValueOf(item));
     return list;

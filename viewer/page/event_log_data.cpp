@@ -44,10 +44,7 @@ bool IsWorthALine(const Event& event) {
 // or contradicted on the way. That something holds or is expected already is none.
 bool SpeaksAgainst(const Event& event) {
   return std::visit(
-      Overloaded{[](const GoalSkipped& e) {
-                   return e.reason != GoalSkipReason::kAlreadyHolds &&
-                          e.reason != GoalSkipReason::kPredicted && e.reason != GoalSkipReason::kLoop;
-                 },
+      Overloaded{[](const GoalSkipped& e) { return Hinders(e.reason); },
                  [](const AnalogyCompared& e) {
                    return e.verdict != AnalogyVerdict::kAccepted && e.verdict != AnalogyVerdict::kNotRequired;
                  },
