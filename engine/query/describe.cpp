@@ -325,6 +325,14 @@ std::vector<Condition> ConditionsWithPruned(const KnowledgeBase& knowledge, Comp
   return conditions;
 }
 
+std::vector<Condition> ConditionsOfRequirement(const KnowledgeBase& knowledge, const Model& requirement) {
+  std::vector<Condition> conditions = ConditionsWithPruned(knowledge, RequiredState(requirement));
+  const ModelRecord* record = knowledge.Find(requirement.id);
+  if (record && !record->derived_from.valid())
+    std::erase_if(conditions, [](const Condition& condition) { return condition.pruned; });
+  return conditions;
+}
+
 std::string QuotedConditions(const KnowledgeBase& knowledge, const CompositeState& state,
                              const std::vector<std::size_t>& components) {
   std::vector<std::string> quoted;

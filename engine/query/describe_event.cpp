@@ -548,7 +548,7 @@ std::string Teller::Of(const AnalogyCompared& e) const {
   if (!things.empty()) text += " for " + InWords({things.begin(), things.end()});
   if (e.achievable > 0) text += ", " + std::to_string(e.achievable) + " more can be brought about";
   if (e.verdict != AnalogyVerdict::kAccepted) {
-    return text + ": " + std::string(Words(e.verdict)) + " (" + FormatConfidence(e.psi) + ").";
+    return text + ": " + std::string(Words(e.verdict)) + " (ψ " + FormatConfidence(e.psi) + ").";
   }
   const std::string pruned = source ? QuotedConditions(knowledge_, source->state, missed) : "";
   if (!pruned.empty()) text += "; " + pruned + (missed.size() == 1 ? " is pruned" : " are pruned");

@@ -88,6 +88,7 @@ class Side {
 
   // The other two of a triad.
   void NoteParts(const Model& model, KbDiffSide* side) const {
+    side->delay = DelayOf(model).value_or(Duration{});
     if (const CompositeStateRecord* state = knowledge_.Find(RequiredState(model)))
       side->state = IdText(state->state.id);
     if (const ModelRecord* target = knowledge_.Find(TargetModel(model)))

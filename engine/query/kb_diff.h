@@ -29,6 +29,7 @@ struct KbDiffSide {
   std::string title;
   std::string state;               // of a requirement model: the composite state it asks for; may be empty
   std::string target;              // of a requirement or reuse model: the model it speaks about
+  Duration delay;                  // of a requirement model: how long before that its state is seen
   std::size_t copies = 1;          // items with this content
   std::vector<std::string> lines;  // conditions, or left and right side
   Evidence evidence;

@@ -106,18 +106,18 @@ class Writer {
       out_ << "      if " << LinesOf(knowledge_, record.model).lhs << "\n";
       return;
     }
-    WriteConditions(triad.state, DelayOf(record.model).value_or(Duration{}));
+    WriteConditions(triad.state, record.model);
   }
 
-  // `delay`: how long before what it is a condition for.
-  void WriteConditions(CompositeStateId id, Duration delay) {
+  void WriteConditions(CompositeStateId id, const Model& requirement) {
+    const Duration delay = DelayOf(requirement).value_or(Duration{});
     shown_.insert(id);
     out_ << "      if ";
     if (delay > Duration{}) out_ << "it held " << SecondsText(Time{delay.us}) << " before: ";
     out_ << IdText(id) << ":";
     std::vector<std::string> pruned;
     std::vector<std::string> texts;
-    for (const Condition& condition : ConditionsWithPruned(knowledge_, id)) {
+    for (const Condition& condition : ConditionsOfRequirement(knowledge_, requirement)) {
       (condition.pruned ? pruned : texts).push_back(condition.text);
     }
     out_ << " " << Join(texts, "; ");

@@ -130,6 +130,11 @@ test("what B gave up again is counted apart and said to be given up in the list,
   assert.equal(await gone.count(), 6);
   assert.equal(await page.locator("#list .piece.added").count(), 7);
   assert.equal(await page.locator("#map .chip.given-up .fate").count(), 6);
+  // Vetoes on the same conditions differ in how long before they are seen.
+  const vetoes = await page.locator("#map .chip", { hasText: "not if " }).allTextContents();
+  assert.ok(vetoes.some((text) => text.includes("not if seen 0.2 s before: ")), vetoes.join("\n"));
+  assert.ok(vetoes.some((text) => text.includes("not if seen 0.1 s before: ")), vetoes.join("\n"));
+  assert.ok(vetoes.some((text) => !text.includes("seen ")), vetoes.join("\n"));
   await gone.first().click();
   const text = await detail(page);
   assert.match(text, /veto\s+given up at [\d.]+ s[^]*Only B had [^]*given up[^]*state\s+\u2013\s+given up at [\d.]+ s/);

@@ -54,6 +54,52 @@ test("what a model was bound to in an earlier frame is said with its time, not a
   await close();
 });
 
+test("a veto says what it is bound to while its state holds, though no prediction comes of it", async () => {
+  // At 1.1 s it denies that the sphere can be let go, and nothing fires.
+  const { page, noise, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=1.1&view=knowledge&sel=mdl_150" });
+  const now = page.locator("#inspector .definition .now");
+  assert.equal(await now.textContent(), "nowS = s, P = 15, H = h");
+  // It goes on through the frames in which the same is so, and ends where it is not.
+  for (const [at, text] of [["1.4", "nowS = s, P = 15, H = h"], ["1.8", "nowS = s, P = 5, H = h"], ["0.9", "nownot seen to hold at this moment"]]) {
+    await page.evaluate((t) => { location.hash = `#t=${t}&view=knowledge&sel=mdl_150`; }, at);
+    await settled(page);
+    assert.equal(await now.textContent(), text, at);
+  }
+  assert.deepEqual(noise, []);
+  await close();
+});
+
+test("states that read alike are told apart by what they are made of", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#view=knowledge&sel=mdl_153" });
+  const block = page.locator("#inspector .block", { hasText: "Which states is it made of?" });
+  assert.deepEqual(await block.locator(".tree b").allTextContents(), ["cst_45", "cst_68"]);
+  await block.locator("button", { hasText: "cst_45" }).click();
+  await settled(page);
+  assert.equal(await selected(page), "cst_45");
+  await close();
+});
+
+test("what is learned later on a generalised state is not said to have pruned anything", async () => {
+  const { page, close } = await open("scenarios/size_pruned_first_scripted", { hash: "#view=knowledge&sel=mdl_196" });
+  assert.match(await page.locator("#inspector .definition .lhs").textContent(), /^cst_79.*C shape cube, at P$/);
+  assert.equal(await page.locator("#inspector .definition s, #inspector .definition .cut").count(), 0);
+  await close();
+});
+
+test("a goal that a veto only held up says which", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn");
+  await page.locator("#overview .drive-button", { hasText: "hold nothing again" }).click();
+  await settled(page);
+  const block = page.locator("#inspector .block", { hasText: "What held it up?" });
+  assert.match(await block.textContent(), /stands against it: mdl_157/);
+  assert.deepEqual(await block.locator(".tree").last().locator("b").allTextContents(), ["mdl_157"]);
+  // Nothing held up the one that was reached straight away.
+  await page.locator("#overview .drive-button", { hasText: "sphere at 15" }).click();
+  await settled(page);
+  assert.equal(await page.locator("#part-whynot").count(), 0);
+  await close();
+});
+
 test("a clicked thing tells what is known of it", async () => {
   const { page, noise, close } = await open("full", { hash: "#t=8" });
   await page.locator("#film .object", { hasText: "cyl" }).locator(".area").click();

@@ -52,6 +52,20 @@ test("lanes that are wider than the page say so and go on", async () => {
   await close();
 });
 
+test("at 800 px the views begin on the first screen, and the story stands beside the picture", async () => {
+  for (const report of [demo, "scenarios/hand_grab_sphere_learn"]) {
+    const { page, close } = await open(report, { width: 800, height: 800 });
+    const boxOf = (part) => page.locator(part).boundingBox();
+    const tab = await boxOf("#tab-overview"), film = await boxOf("#film"), story = await boxOf("#story"), head = await boxOf(".story-head");
+    assert.ok(tab.y + tab.height < 600, report + JSON.stringify(tab));
+    assert.ok(story.x >= film.x + film.width && head.x >= film.x + film.width, JSON.stringify([story, film]));
+    assert.ok(story.height > 150 && story.y + story.height <= tab.y, JSON.stringify([story, tab]));
+    await page.locator("#fold").click();
+    assert.ok((await boxOf(".objects")).height > 100, "folded, the things are there instead");
+    await close();
+  }
+});
+
 for (const [width, height] of [[400, 860], [375, 667]]) {
   test(`the first screen of a telephone (${width} px) has the answer, the picture, the clock and the tabs`, async () => {
     const { page, close } = await open(demo, { width, height });

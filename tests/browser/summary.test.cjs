@@ -26,6 +26,22 @@ test("what was given up is counted apart: in the header, in the overview, and in
   await close();
 });
 
+test("the first screen begins with what the scenario says of itself", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn");
+  assert.match(await page.locator("#overview > :first-child").textContent(), /^Babbling, a hand learns to move, .* and lets go\.$/);
+  await close();
+});
+
+test("many that were given up are one line of what went wrong, which opens", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn");
+  const retired = page.locator("#overview .retired");
+  assert.equal(await page.locator("#overview > .tree button", { hasText: "is given up" }).count(), 0);
+  assert.match(await retired.locator("summary").textContent(), /^6 pieces of knowledge were given up at 2 s$/);
+  await retired.locator("summary").click();
+  assert.equal(await retired.locator("button", { hasText: /mdl_\d+ is given up/ }).count(), 6);
+  await close();
+});
+
 test("failures carry the fail colour and a cross", async () => {
   const { page, close } = await open("slipped");
   assert.equal(await page.locator(".lane-field .failed use[href='#m-cross']").count(), 2);

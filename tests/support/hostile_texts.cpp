@@ -186,6 +186,7 @@ HostileEpisode MakeEndlessEpisode() {
   EpisodeHeader header;
   header.program_version = "0.1.0";
   header.settings["title"] = endless;
+  header.settings["story"] = endless;
   const Replace replace = [&](Place place, const std::string& old) {
     const bool chosen = place == Place::kField ? old == "Pick and place by analogy" || old == "hold s1" ||
                                                      old == "the hand is somewhere else"

@@ -241,13 +241,16 @@ class Drawer {
     const CompositeStateRecord* record = final_.Find(id);
     int x = rect.x + kPadding;
     const int base_line = rect.centre().y + 4;
-    if (record->origin == Origin::kAnalogy) {
+    // How it was made, and what was pruned for it, is told where it stands first.
+    if (first && record->origin == Origin::kAnalogy) {
       DrawStar(svg_, {x + 6, rect.centre().y}, 6, "d-star");
       x += 18;
     }
     const std::string label = first ? IdText(id) : IdText(id) + " above";
     IdAtRight(rect, base_line, label);
-    DrawWords(BriefWords(id), x, base_line, rect.right() - kPadding - IdWidth(label) - x);
+    std::vector<Word> words = BriefWords(id);
+    if (!first) std::erase_if(words, [](const Word& word) { return word.pruned; });
+    DrawWords(words, x, base_line, rect.right() - kPadding - IdWidth(label) - x);
   }
 
   // A word or two of a folded card, perhaps struck.

@@ -298,8 +298,9 @@ class DiffPage {
     const own = item.left ? "left" : "right";
     const rows = item.rows.filter((row) => row[0] === "condition" && (pair || row[1] === "same" || row[1] === "changed" || row[1] === own));
     if (!rows.length) return [titleOf(item)];
-    const veto = item.kind === "strong_requirement_model" ? ["not if ", ""] : ["", ""];
-    return [veto[0], ...rows.flatMap((row, i) => {
+    const before = [...new Set([item.left, item.right].flatMap((side) => (side ? [side.before || ""] : [])))];
+    const seen = before.some((time) => time) ? `seen ${before.map((time) => time || "0 s").join(" or ")} before: ` : "";
+    return [(item.kind === "strong_requirement_model" ? "not if " : "") + seen, ...rows.flatMap((row, i) => {
       const text = withVariables(pair ? row[2] || row[3] : (item.left ? row[2] : row[3]), row[4]);
       const only = pair && (row[1] === "left" || row[1] === "right");
       return [i ? " \u00b7 " : "", ...(only ? [el("span", { class: "only" + (row[1] === "left" ? " gone" : "") }, ...text)] : text)];

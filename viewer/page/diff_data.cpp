@@ -88,6 +88,7 @@ json PieceData(const std::optional<KbDiffSide>& side, ModelGraphNodeKind kind, c
                {"copies", side->copies},
                {"how", EnumName(side->origin)},
                {"from", side->derived_from}};
+  if (side->delay > Duration{}) data["before"] = SecondsText(Time{side->delay.us});
   if (kind == ModelGraphNodeKind::kCompositeState) return data;
   data["sure"] = Number(side->evidence.rate());
   data["positive"] = Number(side->evidence.positive);

@@ -123,7 +123,9 @@ class GraphAuthor {
     const ModelId requirement = RequirementOfRow(band, card.row);
     json lines = json::array();
     json brief = json::array();
-    for (const Condition& condition : ConditionsWithPruned(knowledge_, card.state)) {
+    const ModelRecord* model = knowledge_.Find(requirement);
+    for (const Condition& condition : model ? ConditionsOfRequirement(knowledge_, model->model)
+                                            : ConditionsWithPruned(knowledge_, card.state)) {
       lines.push_back({{"cells", {condition.subject, condition.relation, condition.value}},
                        {"text", condition.text},
                        {"vars", condition.variables},
@@ -139,9 +141,8 @@ class GraphAuthor {
                  {"brief", brief},
                  {"room", card.lines}};
     AddLife(data, record->origin, record->created);
-    if (requirement.valid()) {
+    if (model) {
       // A state that was there before its requirement stands in this row since the requirement came.
-      const ModelRecord* model = knowledge_.Find(requirement);
       AddLife(data, model->origin, model->created);
       if (const auto deleted = context_.DeletedAt(requirement)) data["gone"] = deleted->us;
     }

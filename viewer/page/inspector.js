@@ -90,10 +90,14 @@ function inspectorPane(app) {
   function showBindings(label, node, subject, t) {
     const use = app.useAt(subject, t);
     const bindings = use && use[2];
-    // What was bound in an earlier frame need not be so now: the outcome is still awaited.
+    // What a prediction bound in an earlier frame need not be so now: the outcome is still awaited.
     const frame = app.frames[frameAt(app.frames, t)];
-    label.textContent = use && use[0] < frame ? "at " + secondsText(use[0]) : "now";
-    if (!bindings || !bindings.length) { node.replaceChildren(el("span", { class: "quiet", text: "no prediction rests on it at this moment" })); return; }
+    label.textContent = use && !use[3] && use[0] < frame ? "at " + secondsText(use[0]) : "now";
+    if (!bindings || !bindings.length) {
+      const text = subject.kind === "requirement" ? "not seen to hold at this moment" : "no prediction rests on it at this moment";
+      node.replaceChildren(el("span", { class: "quiet", text }));
+      return;
+    }
     node.replaceChildren(...bindings.flatMap(([name, value], i) => [i ? ", " : "", el("span", { class: "var", text: name }), " = ", el("b", { text: value })]));
   }
 
@@ -240,12 +244,13 @@ function inspectorPane(app) {
   }
   // Where it comes from and where it belongs: the knowledge generalised, the goal served, sub-goals, commands.
   function relatives(subject) {
-    const { derived_from: from, model, sub_goals: subGoals, commands, goal } = subject.detail;
+    const { nested, derived_from: from, model, sub_goals: subGoals, commands, goal } = subject.detail;
     const parts = [];
     const list = (title, ids) => {
       const known = (ids || []).map((id) => app.subject(id)).filter((one) => one);
       if (known.length) parts.push(heading(title), subjectList(known.slice(0, 24)), known.length > 24 ? el("p", { class: "verdict quiet", text: `and ${known.length - 24} more` }) : "");
     };
+    list("Which states is it made of?", nested);
     list("Generalised from", from ? [from] : []);
     list("For which goal?", goal ? [goal] : subject.parent !== null && subject.parent !== undefined ? [app.report.subjects.id[subject.parent]] : []);
     list("By which model?", model ? [model] : []);
@@ -271,14 +276,17 @@ function inspectorPane(app) {
     const row = ({ first, last, count }) => el("div", { class: "line" },
       eventRow(app, first, { note: count > 1 ? ` ${count} times, until ${secondsText(app.log.time(last))}` : "" }));
     const vetoes = [...new Set(reasons.flatMap((reason) => reason.vetoes))].map((id) => app.subject(id)).filter((one) => one);
-    return block(heading(subject.outcome === "failed" ? "Why not?" : "What spoke against it?", `${reasons.length} ${reasons.length === 1 ? "reason" : "reasons"}`, "part-whynot"),
+    const title = { failed: "Why not?", true: "What held it up?" }[subject.outcome] || "What spoke against it?";
+    return block(heading(title, `${reasons.length} ${reasons.length === 1 ? "reason" : "reasons"}`, "part-whynot"),
       el("div", { class: "tree" }, ...shown.map(row)),
       reasons.length > shown.length ? el("p", { class: "verdict quiet", text: `and ${reasons.length - shown.length} more` }) : "",
       vetoes.length ? heading(vetoes.length === 1 ? "Which veto won?" : "Which vetoes won?") : "", subjectList(vetoes.slice(0, 12)));
   }
   // Each reason with how often it came, the first and the last time.
   async function reasonsAgainst(subject) {
-    if (!["goal", "prediction", "command"].includes(subject.kind) || subject.outcome === "true") return [];
+    // What came true in the end may have been held up by a veto before; other detours are no reason.
+    const reached = subject.outcome === "true";
+    if (!["goal", "prediction", "command"].includes(subject.kind) || (reached && subject.kind !== "goal")) return [];
     const { log } = app;
     const goals = subject.kind === "goal" ? withSubGoals(subject.number) : [subject.number];
     const against = new Set();
@@ -302,7 +310,8 @@ function inspectorPane(app) {
       const known = reasons.get(said);
       if (known) { known.last = event; known.count += 1; } else reasons.set(said, { first: event, last: event, count: 1 });
     }
-    return Promise.all([...reasons.values()].slice(0, 40).map(async (reason) => ({ ...reason, vetoes: await vetoesBehind(reason.first) })));
+    const list = await Promise.all([...reasons.values()].slice(0, 40).map(async (reason) => ({ ...reason, vetoes: await vetoesBehind(reason.first) })));
+    return reached ? list.filter((reason) => reason.vetoes.length) : list;
   }
   // The strong requirement models that won against what was wanted, as the event's causes name them.
   async function vetoesBehind(event) {

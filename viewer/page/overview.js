@@ -38,7 +38,8 @@ function overviewPane(app) {
       el("td", { text: secondsText(subject.born) }), el("td", { text: tried > 0 ? String(tried) : "" }), el("td", {}, el("b", { text: sure })));
   }
 
-  // What went wrong, most telling first: goals missed, predictions that failed, commands refused, ideas given up.
+  // What went wrong, most telling first: goals missed, predictions that failed, commands refused; then what was
+  // given up, which often is how it went right again.
   function troubles() {
     const order = ["GoalFailed", "PredictionFailed", "CommandRefused", "ModelStateChanged"];
     const out = [];
@@ -49,10 +50,17 @@ function overviewPane(app) {
       const [subject] = log.subjectsOf(event);
       // Predictions of requirement models, and goals on the way, are not counted in the heading either.
       if ((kind === 0 || kind === 1) && !log.chapter(event)) continue;
-      if (kind === 3 && subject === undefined) continue;
+      // Coming back into use is none.
+      if (kind === 3 && (subject === undefined || !(stepOf(event).deleted || stepOf(event).phasedOut))) continue;
       out.push({ event, kind });
     }
     return out.sort((a, b) => a.kind - b.kind || a.event - b.event).map((one) => one.event);
+  }
+
+  // What a change of state did to the model.
+  function stepOf(event) {
+    const [number] = log.subjectsOf(event);
+    return log.confidence(number).find((step) => step.event === event) || {};
   }
 
   // What an id in the sentence is about.
@@ -62,19 +70,35 @@ function overviewPane(app) {
     return number === undefined ? "" : " (" + app.report.subjects.title[number] + ")";
   }
 
+  const troubleRow = (event) => el("div", { class: "line" }, eventRow(app, event, { note: about(event) }));
+  // Several that were given up, in one line that opens.
+  function retirements(events) {
+    const rows = el("div", { class: "tree" });
+    const [first, last] = [events[0], events[events.length - 1]].map((event) => secondsText(log.time(event)));
+    const details = el("details", { class: "retired" },
+      el("summary", { text: `${events.length} pieces of knowledge were given up` + (first === last ? " at " + first : `, from ${first} to ${last}`) }), rows);
+    details.addEventListener("toggle", () => { if (details.open && !rows.childElementCount) rows.append(...events.slice(0, 200).map(troubleRow)); });
+    return details;
+  }
+
   const learned = pieces.filter(([, own]) => own);
   const givenUp = learned.filter(([number]) => app.subjectByNumber(number).gone !== null).length;
-  const wrong = troubles();
+  const happened = troubles();
+  const givenUpLater = happened.filter((event) => log.kind(event).name === "ModelStateChanged" && stepOf(event).deleted);
+  const folded = new Set(givenUpLater.length > 2 ? givenUpLater : []);
+  const wrong = happened.filter((event) => !folded.has(event));
   const reached = drives.filter((drive) => drive.outcome === 1).length;
   const shownPieces = learned.slice(0, 40), shownWrong = wrong.slice(0, 10);
   box.append(...[
+    app.report.story ? el("p", { class: "told", text: app.report.story }) : "",
     heading("What was to be done?", drives.length ? `${reached} of ${drives.length} reached` : "nothing was asked of it"),
     el("ol", { class: "drives" + (wide ? "" : " plain") }, ...drives.slice(0, 24).map(driveCard)),
     drives.length > 24 ? el("p", { class: "quiet", text: `and ${drives.length - 24} more, in the lane of goals` }) : "",
-    heading("What went wrong?", wrong.length ? `${wrong.length} ${wrong.length === 1 ? "event" : "events"}` : ""),
-    wrong.length ? el("div", { class: "tree" }, ...shownWrong.map((event) => el("div", { class: "line" }, eventRow(app, event, { note: about(event) }))))
+    heading("What went wrong?", happened.length ? `${happened.length} ${happened.length === 1 ? "event" : "events"}` : ""),
+    happened.length ? el("div", { class: "tree" }, ...shownWrong.map(troubleRow))
       : el("p", { class: "quiet", text: "Nothing: no goal was missed, no prediction failed, no command was refused." }),
     wrong.length > shownWrong.length ? el("p", { class: "quiet", text: `and ${wrong.length - shownWrong.length} more` }) : "",
+    folded.size ? retirements([...folded]) : "",
     heading("What was learned?", `${learned.length} ${learned.length === 1 ? "piece" : "pieces"} of knowledge` + (givenUp ? `, ${givenUp} given up` : "")),
     learned.length ? el("table", { class: "pieces" }, el("thead", {}, el("tr", {}, el("th", { text: "when this works" }), el("th", { text: "learned" }), el("th", { text: "tried", title: "How often it was put to the test since; what it was learned from is not counted" }), el("th", { text: "sure at the end" }))),
       el("tbody", {}, ...shownPieces.map(pieceRow))) : "",

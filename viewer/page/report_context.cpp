@@ -41,9 +41,19 @@ void ReportContext::CollectComparisons() {
   }
 }
 
+// What a composite state bound that was found to hold, among the causes of an instance of a requirement
+// model; empty if there is none.
+static std::vector<Binding> BindingsBehind(const Run& run, EventId instance) {
+  for (const EventId cause : run.Causes(instance))
+    if (const auto* found = run.FindBody<IcstFound>(cause))
+      return BindingsOf(run.final_knowledge(), found->fact.payload);
+  return {};
+}
+
 // A model is used from the comparison or the prediction on that bound it, up to the frame in which the
-// outcome was seen.
+// outcome was seen. Of two uses that begin at once, the later in the list tells more.
 void ReportContext::CollectUses() {
+  CollectInstances();
   const Duration period{run.started().sampling_period_us};
   for (const auto& [requirement, event] : comparison_of) {
     const auto* compared = run.FindBody<AnalogyCompared>(event);
@@ -55,11 +65,8 @@ void ReportContext::CollectUses() {
   for (const PredictionRecordOfRun& prediction : summary.predictions) {
     std::vector<Binding> bindings;
     for (const EventId cause : run.Causes(prediction.event)) {
-      if (run.FindBody<ImdlPredicted>(cause) == nullptr) continue;
-      for (const EventId state : run.Causes(cause)) {
-        const auto* found = run.FindBody<IcstFound>(state);
-        if (found != nullptr && bindings.empty()) bindings = BindingsOf(knowledge, found->fact.payload);
-      }
+      if (bindings.empty() && run.FindBody<ImdlPredicted>(cause) != nullptr)
+        bindings = BindingsBehind(run, cause);
     }
     if (bindings.empty()) continue;
     const Use use{prediction.time, prediction.until + period, bindings};
@@ -68,6 +75,25 @@ void ReportContext::CollectUses() {
   }
   for (auto& [model, list] : uses)
     std::stable_sort(list.begin(), list.end(), [](const Use& a, const Use& b) { return a.from < b.from; });
+}
+
+// What a requirement model says while its state holds, whether or not a prediction comes of it: a veto makes
+// none. The same said frame after frame is one stretch.
+void ReportContext::CollectInstances() {
+  const Time end = run.end() + Duration{run.started().sampling_period_us};
+  for (const EventId id : run.OfKind<ImdlPredicted>()) {
+    const Event& event = *run.Find(id);
+    if (event.simulation.valid()) continue;
+    const auto& predicted = std::get<ImdlPredicted>(event.body);
+    std::vector<Binding> bindings = BindingsBehind(run, id);
+    if (bindings.empty()) continue;
+    const Time until = std::min(predicted.fact.interval.before, end);
+    std::vector<Use>& list = uses[predicted.requirement];
+    if (!list.empty() && event.time <= list.back().until && bindings == list.back().bindings)
+      list.back().until = std::max(list.back().until, until);
+    else
+      list.push_back({event.time, until, std::move(bindings), true});
+  }
 }
 
 std::string ReportContext::SubjectOf(CompositeStateId state) const {

@@ -20,6 +20,7 @@ struct Use {
   Time from;
   Time until;
   std::vector<Binding> bindings;
+  bool holds = false;  // of a requirement model: its state is seen to hold, whatever comes of it
 };
 
 struct ReportContext {
@@ -43,6 +44,7 @@ struct ReportContext {
  private:
   void CollectComparisons();
   void CollectUses();
+  void CollectInstances();
 };
 
 // The mark of an event: the name of a symbol of the page without "m-".

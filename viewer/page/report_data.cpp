@@ -21,6 +21,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kLongestStory = 1500;  // code points
+
 class ReportAuthor {
  public:
   ReportAuthor(const ReportContext& context, const SubjectTable& subjects, const ReportFrames& frames,
@@ -36,6 +38,7 @@ class ReportAuthor {
 
   json Write(json log) const {
     return {{"title", Shortened(Printable(run_.title()), kLongestTitle)},
+            {"story", Story()},
             {"summary", Summary()},
             {"provenance", ProvenanceOf(run_, options_.file_name)},
             {"warning", WarningAbout(run_)},
@@ -53,6 +56,16 @@ class ReportAuthor {
 
  private:
   // ---- heading
+
+  // What the scenario says of itself, for people; empty where it says nothing.
+  std::string Story() const {
+    const auto& settings = run_.header().settings;
+    const auto story = settings.find("story");
+    if (story == settings.end()) return "";
+    std::string line = story->second;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    return Shortened(Printable(line), kLongestStory);
+  }
 
   json Summary() const {
     const auto drives = static_cast<std::int64_t>(summary_.drives.size());

@@ -89,9 +89,9 @@ class DetailAuthor {
  private:
   // ---- models, states
 
-  json StateLines(CompositeStateId id) const {
+  static json Lines(const std::vector<Condition>& conditions) {
     json lines = json::array();
-    for (const Condition& condition : ConditionsWithPruned(knowledge_, id)) {
+    for (const Condition& condition : conditions) {
       json line = ConditionData(condition.text, condition.variables, condition.pruned);
       if (condition.relation.starts_with("not ")) line["anti"] = true;
       lines.push_back(std::move(line));
@@ -111,6 +111,8 @@ class DetailAuthor {
         {"vars", VariableNames(knowledge_, model)},
         {"definition", requirement ? RequirementDefinition(model) : ModelDefinition(model, kind)}};
     if (kind == ModelKind::kStrongRequirement) data["strong"] = true;
+    if (const CompositeStateRecord* state = knowledge_.Find(RequiredState(model)))
+      AddNested(data, state->state);
     if (record.derived_from.valid()) data["derived_from"] = IdText(record.derived_from);
     if (!requirement)
       if (const auto found = requirements_of_.find(model.id); found != requirements_of_.end())
@@ -130,7 +132,7 @@ class DetailAuthor {
       definition.push_back({{"side", "lhs"},
                             {"label", IdText(state)},
                             {"subject", IdText(state)},
-                            {"lines", StateLines(state)}});
+                            {"lines", Lines(ConditionsOfRequirement(knowledge_, model))}});
     } else {
       const ModelLines lines = LinesOf(knowledge_, model);
       definition.push_back(
@@ -164,7 +166,11 @@ class DetailAuthor {
   json StateDetail(const CompositeStateRecord& record) const {
     const CompositeStateId id = record.state.id;
     json data = {{"note", "composite state, " + MadeNote(record.origin, record.created)},
-                 {"definition", {{{"side", "lhs"}, {"label", IdText(id)}, {"lines", StateLines(id)}}}}};
+                 {"definition",
+                  {{{"side", "lhs"},
+                    {"label", IdText(id)},
+                    {"lines", Lines(ConditionsWithPruned(knowledge_, id))}}}}};
+    AddNested(data, record.state);
     if (record.derived_from.valid()) data["derived_from"] = IdText(record.derived_from);
     if (const auto found = requirements_on_.find(id); found != requirements_on_.end())
       data["requirements"] = SubjectIds(found->second);
@@ -174,6 +180,17 @@ class DetailAuthor {
       data["compared"] = list;
     }
     return data;
+  }
+
+  // The composite states among its components: two states that read alike may be made of different ones.
+  void AddNested(json& data, const CompositeState& state) const {
+    json nested = json::array();
+    for (const FactPattern& component : state.components) {
+      if (!IsIcst(component.payload) || !component.payload[0].is(TermKind::kCompositeState)) continue;
+      const CompositeStateId id = component.payload[0].composite_state();
+      if (subjects_.Find(id)) nested.push_back(IdText(id));
+    }
+    if (!nested.empty()) data["nested"] = nested;
   }
 
   std::string MadeNote(Origin origin, Time created) const {
@@ -195,7 +212,7 @@ class DetailAuthor {
       json bindings = json::array();
       for (const Binding& binding : use.bindings)
         bindings.push_back({binding.variable, Shortened(binding.value, kLongestTitle)});
-      data.push_back({use.from.us, use.until.us, bindings});
+      data.push_back({use.from.us, use.until.us, bindings, use.holds ? 1 : 0});
     }
     return data;
   }

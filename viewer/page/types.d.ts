@@ -7,6 +7,7 @@ type Time = number;
 // The block "report-data": what the page needs before it is ready. Made by report_data.cpp.
 interface Report {
   title: string;
+  story: string;
   summary: { text: string; filter: string; failed?: boolean; more?: boolean }[];
   provenance: string;
   warning: string;
@@ -43,7 +44,7 @@ interface Document {
 
 // The block "diff-data" of the page of a difference. Made by diff_data.cpp.
 interface DiffPiece {
-  id: string; title: string; state: string; target: string; copies: number; how: string; from: string;
+  id: string; title: string; state: string; target: string; copies: number; how: string; from: string; before?: string;
   sure?: number | null; positive?: number | null; total?: number | null; strong?: boolean; model_state?: string; gone?: string; curve?: [Time, number | null][];
 }
 interface DiffItem {

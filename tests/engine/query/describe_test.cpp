@@ -63,6 +63,24 @@ TEST(DescribeTest, ConditionsDroppedByAnalogyAreKnown) {
   EXPECT_EQ(OneLine(conditions), "H holding [] \u00b7 large");
 }
 
+TEST(DescribeTest, WhatIsLearnedLaterOnAGeneralisedStateDroppedNothing) {
+  // Given a requirement model made by analogy, whose state dropped a condition of its source,
+  const auto run = PaperRun();
+  KnowledgeBase knowledge = run.final_knowledge();
+  const ModelRecord generalised = *knowledge.Find(Titled(knowledge, "grab_type_2 something large"));
+  // when another is learned on the same state,
+  ModelRecord learned = generalised;
+  learned.model.id = ModelId{9000};
+  learned.origin = Origin::kInduction;
+  learned.derived_from = ModelId{};
+  knowledge.AddModel(learned);
+  // then only the first is told with what was pruned.
+  EXPECT_THAT(TextsOf(ConditionsOfRequirement(knowledge, generalised.model)),
+              ElementsAre("H holding []", "C size large, at P", "H hand at P", "(-) C shape cube"));
+  EXPECT_THAT(TextsOf(ConditionsOfRequirement(knowledge, learned.model)),
+              ElementsAre("H holding []", "C size large, at P", "H hand at P"));
+}
+
 TEST(DescribeTest, ModelsAreExplainedInASentence) {
   const auto run = PaperRun();
   const KnowledgeBase& knowledge = run.final_knowledge();
@@ -230,7 +248,7 @@ TEST(DescribeTest, EventsAreSentences) {
             "The episode \"Pick and place by analogy\" begins, in a world of kind scripted.");
   const auto& compared = run.OfKind<AnalogyCompared>();
   EXPECT_THAT(sentence(compared[0]),
-              HasSubstr("2 of 4 conditions of cst_40 hold for s1: not familiar enough (0.5)."));
+              HasSubstr("2 of 4 conditions of cst_40 hold for s1: not familiar enough (ψ 0.5)."));
   EXPECT_THAT(sentence(compared[1]),
               HasSubstr("3 of 4 conditions of cst_73 hold for s1; `C shape cube` is pruned: mdl_"));
   EXPECT_THAT(sentence(compared[1]), HasSubstr(" starts at 0.75."));
