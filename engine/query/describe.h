@@ -45,8 +45,8 @@ std::vector<Condition> CanonicalConditions(const KnowledgeBase& knowledge,
 // For a state made by analogy: the lines of its source in order, those it dropped marked as pruned; its own
 // variable names. For any other state the same as ConditionsOf. Empty if there is no such state.
 std::vector<Condition> ConditionsWithPruned(const KnowledgeBase& knowledge, CompositeStateId id);
-// Of the state that a requirement model asks for: with what was pruned where the model was generalised, too. One
-// that was learned on a state which an analogy had made before dropped nothing.
+// Of the state that a requirement model asks for: with what was pruned where the model was generalised, too.
+// One that was learned on a state which an analogy had made before dropped nothing.
 std::vector<Condition> ConditionsOfRequirement(const KnowledgeBase& knowledge, const Model& requirement);
 // "H holding [] · cube · large"; pruned conditions are left out.
 std::string OneLine(const std::vector<Condition>& conditions);

@@ -305,7 +305,11 @@ class Teller {
     return std::string(Words(e.induction)) + ": " + FactOf(e.consequent) + ". A cause is looked for.";
   }
   std::string Of(const CauseConsidered& e) const {
-    if (e.verdict == CauseVerdict::kBuilt) return "The cause found: " + FactOf(e.fact_id) + ".";
+    // With its time: of a failure the cause may read like what was seen instead.
+    if (e.verdict == CauseVerdict::kBuilt) {
+      const Event* seen = run_.Find(run_.CreationOf(e.fact_id));
+      return "The cause found: " + FactOf(e.fact_id) + (seen ? ", at " + SecondsText(seen->time) : "") + ".";
+    }
     return "Not the cause: " + FactOf(e.fact_id) + " (" + std::string(Words(e.verdict)) + ").";
   }
   std::string Of(const IcstFound& e) const {

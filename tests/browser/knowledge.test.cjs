@@ -69,6 +69,12 @@ test("a veto says what it is bound to while its state holds, though no predictio
   await close();
 });
 
+test("a fall of confidence carries its number, where there is room", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=2&view=knowledge&sel=mdl_46" });
+  assert.deepEqual(await page.locator("#inspector .life .value tspan").allTextContents(), ["1.00", "0.67", "0.75", "0.80"]);
+  await close();
+});
+
 test("states that read alike are told apart by what they are made of", async () => {
   const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#view=knowledge&sel=mdl_153" });
   const block = page.locator("#inspector .block", { hasText: "Which states is it made of?" });

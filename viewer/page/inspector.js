@@ -168,6 +168,7 @@ function inspectorPane(app) {
     // The first and the last value always, the others where there is air between them.
     const last = steps.length - 1;
     let free = -Infinity;
+    let fallen = left;
     steps.forEach((step, i) => {
       const x = X(step.at), y = Y(step.sure);
       if (i === 0) {
@@ -179,8 +180,12 @@ function inspectorPane(app) {
         free = room ? x - 8 : x + 110;
       } else if (i === last) {
         picture.append(svg("text", { class: "value", x: right + 10, y: y + 2 }, svg("tspan", { text: sureText(step.sure) })),
-          svg("text", { class: "value", x: right + 10, y: y + 16, text: fitted(step.deleted ? "given up" : step.why || "", width - right - 12, 11.5) }));
-      } else if (x > free && X(steps[last].at) - x > 40) {
+          svg("text", { class: "value", x: right + 10, y: y + 16 }, svg("title", { text: step.why || "" }), fitted(step.deleted ? "given up" : step.why || "", width - right - 12, 11.5)));
+      } else if (step.failed) {
+        // In the corner below the fall, where no line runs.
+        if (x - fallen > 40) picture.append(value(x - 9, y + 4, "end", step, 0));
+        fallen = x;
+      } else if (x > free && X(steps[i + 1].at) - x > 34) {
         const room = Math.min(X(steps[i + 1].at), right) - x - 8;
         picture.append(value(x + 6, y - 7, "start", step, room));
         free = x + 60;
