@@ -63,18 +63,7 @@ std::vector<Plan> BackwardChainer::Achieve(const Quest& quest, const Frame& from
     AchieveThrough(*record, bindings, quest, from, &plans);
   }
   stack_.pop_back();
-  if (!any_model) {
-    Bindings none;
-    const Term any = IsValue(target.payload)
-                         ? Closed(MakeValue(target.payload[0], target.payload[1], Term::Wildcard()))
-                         : Closed(target.payload);
-    const auto& candidates = context_.present.Candidates(any, none);
-    const bool property = std::any_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
-      Bindings trial;
-      return context_.present[i].permanent && Match(any, context_.present[i].fact.payload, trial);
-    });
-    return skip(property ? GoalSkipReason::kProperty : GoalSkipReason::kNoModel);
-  }
+  if (!any_model) return skip(WhyOutOfReach(target.payload));
   std::stable_sort(plans.begin(), plans.end(), [](const Plan& a, const Plan& b) {
     if (a.vetoed != b.vetoed) return !a.vetoed;
     if (a.score != b.score) return a.score > b.score;
@@ -84,6 +73,19 @@ std::vector<Plan> BackwardChainer::Achieve(const Quest& quest, const Frame& from
   if (plans.size() > kMaxPlansPerGoal) plans.erase(plans.begin() + kMaxPlansPerGoal, plans.end());
   if (!plans.empty() && plans.front().vetoed) skip(GoalSkipReason::kVetoed, plans.front().veto);
   return plans;
+}
+
+// What no model leads to is a property, or nothing is known of how to change it.
+GoalSkipReason BackwardChainer::WhyOutOfReach(const Term& payload) const {
+  Bindings none;
+  const Term any =
+      IsValue(payload) ? Closed(MakeValue(payload[0], payload[1], Term::Wildcard())) : Closed(payload);
+  const auto& candidates = context_.present.Candidates(any, none);
+  const bool property = std::any_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
+    Bindings trial;
+    return context_.present[i].permanent && Match(any, context_.present[i].fact.payload, trial);
+  });
+  return property ? GoalSkipReason::kProperty : GoalSkipReason::kNoModel;
 }
 
 // Nothing need be done for what is predicted already.

@@ -72,6 +72,7 @@ class BackwardChainer {
 
   std::vector<Plan> Achieve(const Quest& quest, const Frame& from);
   std::optional<Plan> WaitFor(const Quest& quest, const Frame& from);
+  GoalSkipReason WhyOutOfReach(const Term& payload) const;
   void AchieveThrough(const ModelRecord& record, const Bindings& bindings, const Quest& quest,
                       const Frame& from, std::vector<Plan>* plans);
   std::vector<Way> Enable(const ModelRecord& record, const Bindings& bindings, const Quest& quest,

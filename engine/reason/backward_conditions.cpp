@@ -225,6 +225,8 @@ bool BackwardChainer::Hold(const CompositeState& state, const Bindings& bindings
     const FactPattern bound{part.positive, Substitute(part.payload, bindings), part.after, part.before};
     if (from->situation().FindMatch(bound.payload, bound.positive, {}) == Situation::npos &&
         !may_be_left(bound)) {
+      goals_.Skip(quest.goal, {bound.positive, bound.payload, quest.target.interval, quest.target.confidence},
+                  WhyOutOfReach(bound.payload));
       return false;
     }
   }
@@ -296,11 +298,8 @@ void BackwardChainer::SkipWhatHolds(const FlatState& flat, const Arrangement& ar
     if (std::find(arrangement.left.begin(), arrangement.left.end(), i) != arrangement.left.end()) continue;
     const Fact part{flat.parts[i].positive, Substitute(flat.parts[i].payload, arrangement.bindings),
                     quest.target.interval, quest.target.confidence};
-    const std::size_t found = frame.situation().FindMatch(part.payload, part.positive, {});
-    if (found == Situation::npos) continue;
-    goals_.Skip(
-        quest.goal, part,
-        frame.situation()[found].permanent ? GoalSkipReason::kProperty : GoalSkipReason::kAlreadyHolds);
+    if (frame.situation().FindMatch(part.payload, part.positive, {}) != Situation::npos)
+      goals_.Skip(quest.goal, part, GoalSkipReason::kAlreadyHolds);
   }
 }
 

@@ -155,6 +155,21 @@ TEST(Planning, WhatNoModelCanChangeIsNotPursued) {
   EXPECT_EQ(skipped[0]->reason, GoalSkipReason::kProperty);
 }
 
+TEST(Planning, TheConditionThatNothingBringsAboutIsNamed) {
+  // Given a grasp that was learned on a small cube,
+  PickAndPlace task;
+  task.Teach("move c1");
+  task.Teach("grab_type_1");
+  task.Teach("release");
+  // when the large cube is wanted,
+  task.Pursue({task.Holding("c2")}, 1);
+  // then what stands in the way is its size, and the properties that are as they should be are not said to.
+  std::vector<std::string> in_the_way;
+  for (const GoalSkipped* skipped : task.events.All<GoalSkipped>())
+    if (skipped->reason == GoalSkipReason::kProperty) in_the_way.push_back(ToText(skipped->target.payload));
+  EXPECT_THAT(in_the_way, ElementsAre("(mk.val c2 size small)"));
+}
+
 TEST(Planning, ASearchEndsWithItsBudget) {
   ReasonerParameters parameters;
   parameters.max_simulation_nodes = 1;
