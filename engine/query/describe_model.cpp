@@ -21,7 +21,7 @@ std::string MakesText(const KnowledgeBase& knowledge, const InstanceSides& sides
                       Writing writing = Writing::kAsGiven) {
   return SideText(knowledge, sides.lhs_positive, sides.lhs, sides.names, writing) +
          (sides.rhs_positive ? " makes " : " ends ") +
-         PayloadWords(knowledge, sides.rhs, sides.names, writing);
+         PayloadWords(knowledge, sides.rhs, sides.rhs_names, writing);
 }
 
 std::string Article(const std::string& phrase) {
@@ -138,6 +138,48 @@ std::string Later(const Model& model) {
   return delay.us > 0 ? SecondsText(Time{delay.us}) + " later " : "";
 }
 
+// Adds the names of a term's variables, each once.
+void NoteVariables(const Term& term, const Names& names, std::vector<std::string>* noted) {
+  ForEachVariable(term, [&](int v) {
+    if (static_cast<std::size_t>(v) >= names.size()) return;
+    const std::string& name = names[static_cast<std::size_t>(v)];
+    if (std::find(noted->begin(), noted->end(), name) == noted->end()) noted->push_back(name);
+  });
+}
+
+const ModelRecord* RecordOfInstance(const KnowledgeBase& knowledge, const Term& imdl) {
+  return IsImdl(imdl) && imdl[0].is(TermKind::kModel) ? knowledge.Find(imdl[0].model()) : nullptr;
+}
+
+// What the variables of a model stand for in an instance of it. What the instance leaves open is numbered
+// behind the instance's own variables, with the model's names for it.
+struct OpenedArguments {
+  std::vector<Term> arguments;
+  std::vector<bool> open;
+  Names names;
+};
+OpenedArguments ArgumentsWithOpen(const KnowledgeBase& knowledge, const Model& model, const Term& imdl,
+                                  const Names& names) {
+  OpenedArguments opened;
+  ArgumentsOf(model, imdl, &opened.arguments);
+  const Names own = VariableNames(knowledge, model);
+  std::size_t outer = names.size();
+  ForEachVariable(imdl, [&](int v) { outer = std::max(outer, static_cast<std::size_t>(v) + 1); });
+  opened.names = names;
+  opened.names.resize(outer);
+  for (std::size_t v = 0; v < opened.arguments.size(); ++v) {
+    Term& argument = opened.arguments[v];
+    opened.open.push_back(argument.is(TermKind::kWildcard) ||
+                          (names.empty() && argument.is(TermKind::kVariable)));
+    if (opened.open[v]) argument = Term::Variable(static_cast<int>(outer + v));
+    std::string name = opened.open[v] ? own[v] : "";
+    while (!name.empty() && std::find(opened.names.begin(), opened.names.end(), name) != opened.names.end())
+      name += "'";
+    opened.names.push_back(std::move(name));
+  }
+  return opened;
+}
+
 }  // namespace
 
 std::optional<Duration> DelayOf(const Model& model) {
@@ -179,32 +221,38 @@ std::vector<std::string> NamesLikeItsState(const KnowledgeBase& knowledge, const
 
 std::optional<InstanceSides> SidesOfInstance(const KnowledgeBase& knowledge, const Term& imdl,
                                              const std::vector<std::string>& names) {
-  const ModelRecord* record =
-      IsImdl(imdl) && imdl[0].is(TermKind::kModel) ? knowledge.Find(imdl[0].model()) : nullptr;
+  const ModelRecord* record = RecordOfInstance(knowledge, imdl);
   if (!record) return std::nullopt;
   const Model& model = record->model;
-  std::vector<Term> arguments;
-  ArgumentsOf(model, imdl, &arguments);
-  const Names own = VariableNames(knowledge, model);
-  // Open variables are numbered behind those of the instance, with the model's names for them.
-  std::size_t outer = names.size();
-  ForEachVariable(imdl, [&](int v) { outer = std::max(outer, static_cast<std::size_t>(v) + 1); });
-  InstanceSides sides{model.lhs.positive, model.rhs.positive, {}, {}, names};
-  Names& all = sides.names;
-  all.resize(outer);
-  for (std::size_t v = 0; v < arguments.size(); ++v) {
-    const bool open =
-        arguments[v].is(TermKind::kWildcard) || (names.empty() && arguments[v].is(TermKind::kVariable));
-    if (open) arguments[v] = Term::Variable(static_cast<int>(outer + v));
-    std::string name = open ? own[v] : "";
-    while (!name.empty() && std::find(all.begin(), all.end(), name) != all.end()) name += "'";
-    all.push_back(std::move(name));
-  }
-  sides.lhs = WithArguments(model.lhs.payload, arguments);
+  const OpenedArguments opened = ArgumentsWithOpen(knowledge, model, imdl, names);
+  InstanceSides sides{model.lhs.positive, model.rhs.positive, {}, {}, opened.names, opened.names};
+  sides.lhs = WithArguments(model.lhs.payload, opened.arguments);
   // Where the instance leaves the effect open, its formula says more than a name.
-  sides.rhs = WithArguments(model.rhs.payload, arguments);
-  if (!sides.rhs.ground()) sides.rhs = WithArguments(RightSide(model), arguments);
+  sides.rhs = WithArguments(model.rhs.payload, opened.arguments);
+  if (!sides.rhs.ground()) sides.rhs = WithArguments(RightSide(model), opened.arguments);
+  WriteFormulas(knowledge, sides.lhs, &sides.rhs, &sides.rhs_names);
   return sides;
+}
+
+void WriteFormulas(const KnowledgeBase& knowledge, const Term& lhs, Term* rhs, Names* names) {
+  constexpr int kDeepestFormula = 8;
+  const ModelRecord* record = RecordOfInstance(knowledge, lhs);
+  if (!record) return;
+  const OpenedArguments opened = ArgumentsWithOpen(knowledge, record->model, lhs, *names);
+  bool wrote = false;
+  for (const Guard& guard : record->model.forward) {
+    if (!guard.target) continue;
+    const auto target = static_cast<std::size_t>(*guard.target);
+    if (opened.open[target] || !opened.arguments[target].is(TermKind::kVariable)) continue;
+    const Term formula = WithArguments(guard.expression, opened.arguments);
+    if (formula.depth() > kDeepestFormula) continue;
+    *rhs = Rewritten(*rhs, [&](const Term& part) -> std::optional<Term> {
+      if (!(part == opened.arguments[target])) return std::nullopt;
+      wrote = true;
+      return formula;
+    });
+  }
+  if (wrote) *names = opened.names;
 }
 
 std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl,
@@ -217,18 +265,14 @@ std::string ModelInstanceText(const KnowledgeBase& knowledge, const Term& imdl,
 ModelLines LinesOf(const KnowledgeBase& knowledge, const Model& model) {
   const Names names =
       IsRequirement(model) ? NamesLikeItsState(knowledge, model) : VariableNames(knowledge, model);
-  const Term rhs = RightSide(model);
+  Term rhs = RightSide(model);
+  Names rhs_names = names;
+  WriteFormulas(knowledge, model.lhs.payload, &rhs, &rhs_names);
   ModelLines lines{SideText(knowledge, model.lhs.positive, model.lhs.payload, names),
-                   SideText(knowledge, model.rhs.positive, rhs, names),
+                   SideText(knowledge, model.rhs.positive, rhs, rhs_names),
                    {}};
-  const auto note = [&](int v) {
-    const std::string& name = names[static_cast<std::size_t>(v)];
-    if (std::find(lines.variables.begin(), lines.variables.end(), name) == lines.variables.end()) {
-      lines.variables.push_back(name);
-    }
-  };
-  ForEachVariable(model.lhs.payload, note);
-  ForEachVariable(rhs, note);
+  NoteVariables(model.lhs.payload, names, &lines.variables);
+  NoteVariables(rhs, rhs_names, &lines.variables);
   return lines;
 }
 
@@ -237,16 +281,10 @@ ModelLines LinesOfTarget(const KnowledgeBase& knowledge, const Model& requiremen
       SidesOfInstance(knowledge, requirement.rhs.payload, NamesLikeItsState(knowledge, requirement));
   if (!sides) return {};
   ModelLines lines{SideText(knowledge, sides->lhs_positive, sides->lhs, sides->names),
-                   SideText(knowledge, sides->rhs_positive, sides->rhs, sides->names),
+                   SideText(knowledge, sides->rhs_positive, sides->rhs, sides->rhs_names),
                    {}};
-  const auto note = [&](int v) {
-    if (static_cast<std::size_t>(v) >= sides->names.size()) return;
-    const std::string& name = sides->names[static_cast<std::size_t>(v)];
-    if (std::find(lines.variables.begin(), lines.variables.end(), name) == lines.variables.end())
-      lines.variables.push_back(name);
-  };
-  ForEachVariable(sides->lhs, note);
-  ForEachVariable(sides->rhs, note);
+  NoteVariables(sides->lhs, sides->names, &lines.variables);
+  NoteVariables(sides->rhs, sides->rhs_names, &lines.variables);
   return lines;
 }
 
@@ -294,9 +332,11 @@ std::string ExplanationOf(const KnowledgeBase& knowledge, ModelId id) {
       return Sentence("Whenever " + lines.lhs + ", then also " + lines.rhs);
     case ModelKind::kDrive:
       return Sentence("To satisfy " + lines.rhs + ", " + lines.lhs + " is wanted");
-    case ModelKind::kCausal:
+    case ModelKind::kCausal: {
+      const Names names = VariableNames(knowledge, model);
       return Sentence(MakesText(knowledge, {model.lhs.positive, model.rhs.positive, model.lhs.payload,
-                                            RightSide(model), VariableNames(knowledge, model)}));
+                                            RightSide(model), names, names}));
+    }
   }
   return {};
 }

@@ -115,12 +115,14 @@ class Side {
     if (!node.is_model()) return OneLine(CanonicalConditions(knowledge_, *knowledge_.Find(node.state)));
     const ModelRecord& record = *knowledge_.Find(node.model);
     if (IsRequirement(record.model)) return TitleOf(knowledge_, node.model);
-    const std::vector<std::string> names = CanonicalNames(knowledge_, record);
+    std::vector<std::string> names = CanonicalNames(knowledge_, record);
     const auto words = [&](const Term& payload) {
       return PayloadWords(knowledge_, payload, names, Writing::kCanonical);
     };
-    return words(record.model.lhs.payload) + (record.model.rhs.positive ? " makes " : " ends ") +
-           words(record.model.rhs.payload);
+    const std::string lhs = words(record.model.lhs.payload);
+    Term rhs = record.model.rhs.payload;
+    WriteFormulas(knowledge_, record.model.lhs.payload, &rhs, &names);
+    return lhs + (record.model.rhs.positive ? " makes " : " ends ") + words(rhs);
   }
 
   const KnowledgeBase& knowledge_;

@@ -98,9 +98,9 @@ PieceForm FormOfRequirement(const KnowledgeBase& knowledge, const ModelRecord& r
   Names canonical = CanonicalNames(knowledge, record);
   if (const auto sides = SidesOfInstance(knowledge, model.rhs.payload, given)) {
     canonical.resize(given.size());
-    canonical.insert(canonical.end(), sides->names.begin() + static_cast<std::ptrdiff_t>(given.size()),
-                     sides->names.end());
-    given = sides->names;
+    canonical.insert(canonical.end(), sides->rhs_names.begin() + static_cast<std::ptrdiff_t>(given.size()),
+                     sides->rhs_names.end());
+    given = sides->rhs_names;
     maker.Add(PartRole::kLeft, sides->lhs_positive, sides->lhs);
     maker.Add(PartRole::kRight, sides->rhs_positive, sides->rhs, 0, !model.rhs.positive);
   } else {

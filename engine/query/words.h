@@ -39,7 +39,14 @@ struct InstanceSides {
   // Of the instance's variables, and behind them of those that the instance leaves open, by the model's
   // names.
   std::vector<std::string> names;
+  // Of the right side's: it may say by a formula what the left side, an instance itself, computes.
+  std::vector<std::string> rhs_names;
 };
+// Where a left side is an instance of a model that computes its effect, what the right side takes over from
+// the effect is written as computed: "move [H D] makes H at P + D" makes "S at P + D". Without that nothing
+// on the right would say which place it is. Adds the names that this needs behind the others.
+void WriteFormulas(const KnowledgeBase& knowledge, const Term& lhs, Term* rhs,
+                   std::vector<std::string>* names);
 // Nothing if there is no such model.
 std::optional<InstanceSides> SidesOfInstance(const KnowledgeBase& knowledge, const Term& imdl,
                                              const std::vector<std::string>& names);
