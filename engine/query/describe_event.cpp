@@ -30,7 +30,7 @@ std::string_view Words(GoalSkipReason reason) {
     case GoalSkipReason::kPredicted:
       return "it is expected already";
     case GoalSkipReason::kProperty:
-      return "it is a property, which nothing changes";
+      return "a property, which nothing changes";
     case GoalSkipReason::kTooLate:
       return "it would have to begin before now";
     case GoalSkipReason::kLowConfidence:
@@ -84,7 +84,7 @@ std::string_view Words(AnalogyVerdict verdict) {
     case AnalogyVerdict::kNotFamiliar:
       return "not familiar enough";
     case AnalogyVerdict::kNothingObserved:
-      return "nothing is known of what the goal is about";
+      return "no condition that holds speaks of what the goal is about";
     case AnalogyVerdict::kFreeVariable:
       return "what remains leaves something undetermined";
     case AnalogyVerdict::kBlackListed:
@@ -248,6 +248,12 @@ class Teller {
     return made ? Text(made->target) : IdText(id);
   }
 
+  // A model that is vetoed or phased out is only watched: nothing rests on what it predicts.
+  std::string IfSilent(PredictionId id) const {
+    const auto* made = run_.FindBody<PredictionMade>(run_.CreationOf(id));
+    return made && made->target.confidence <= 0 ? ", predicted silently" : "";
+  }
+
   std::string Of(const EpisodeStarted& e) const {
     std::string text = "The episode \"" + Printable(e.scenario) + "\" begins";
     if (!e.world.empty()) text += ", in a world of kind " + Printable(e.world);
@@ -325,14 +331,16 @@ class Teller {
     return IdText(e.requirement) + (e.fact.positive ? " expects that " : " denies that ") +
            Text(e.fact.payload) + (later ? ", at " + SecondsText(e.fact.interval.after) : "") + ".";
   }
-  std::string Of(const PredictionMade& e) const { return "Predicted: " + Text(e.target) + "."; }
+  std::string Of(const PredictionMade& e) const {
+    return (e.target.confidence > 0 ? "Predicted: " : "Predicted silently: ") + Text(e.target) + ".";
+  }
   std::string Of(const PredictionSucceeded& e) const {
-    return "Came true: " + PredictionTarget(e.prediction) + ".";
+    return "Came true" + IfSilent(e.prediction) + ": " + PredictionTarget(e.prediction) + ".";
   }
   std::string Of(const PredictionFailed& e) const {
     const std::string seen =
         e.evidence.valid() ? "; seen: " + FactOf(e.evidence) : "; nothing of it was seen in time";
-    return "Did not come true: " + PredictionTarget(e.prediction) + seen + ".";
+    return "Did not come true" + IfSilent(e.prediction) + ": " + PredictionTarget(e.prediction) + seen + ".";
   }
   std::string Of(const ModelStateChanged& e) const {
     switch (e.after) {

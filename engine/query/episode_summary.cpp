@@ -103,7 +103,9 @@ std::vector<std::string> HeadlineOf(const Run& run, const EpisodeSummary& summar
   headline.push_back(std::move(learned));
   if (summary.score.made > 0) {
     headline.push_back(std::to_string(summary.score.came_true) + " of " +
-                       Count(summary.score.made, "prediction", "predictions") + " came true");
+                       Count(summary.score.decided(), "prediction", "predictions") + " came true");
+    if (summary.score.open() > 0)
+      headline.back() += ", " + std::to_string(summary.score.open()) + " not decided";
   }
   if (!summary.complete) {
     headline.push_back(run.events().empty() ? "incomplete, no events"

@@ -38,6 +38,8 @@ struct PredictionScore {
   std::int64_t made = 0;
   std::int64_t came_true = 0;
   std::int64_t failed = 0;
+  std::int64_t decided() const { return came_true + failed; }
+  std::int64_t open() const { return made - decided(); }
 };
 
 struct AnalogyOfRun {

@@ -132,3 +132,22 @@ test("what the graph shows stands in the address and in the copied link", async 
   assert.equal(await again.page.locator("#graph-tools .kind-list").getByLabel("made by analogy").isChecked(), false);
   await again.close();
 });
+
+test("a simulation is known by the event that began it, and an id that is not there is said to be none", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=1.11&sel=sim_176" });
+  assert.match(await page.locator("#inspector .top").textContent(), /^#\d+, in the head, at 1\.11 s/);
+  assert.match(await page.locator("#inspector").textContent(), /sim_176/);
+  await page.evaluate(() => { location.hash = "#t=1.11&sel=pred_9999"; });
+  await settled(page);
+  assert.equal(await page.locator("#said").textContent(), "There is no pred_9999 here.");
+  await close();
+});
+
+test("an event in the address is in sight in the list of events", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=1.1&view=events&sel=%23311" });
+  await settled(page);
+  const row = page.locator(".event-row[data-event='311']");
+  const [box, list] = [await row.boundingBox(), await page.locator(".events-list").boundingBox()];
+  assert.ok(box && box.y >= list.y && box.y + box.height <= list.y + list.height, JSON.stringify([box, list]));
+  await close();
+});

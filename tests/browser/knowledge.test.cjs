@@ -69,6 +69,74 @@ test("a veto says what it is bound to while its state holds, though no predictio
   await close();
 });
 
+test("what was only compared is said to be, not to hold", async () => {
+  // The large cube is where the hand is not: the comparison left the place open.
+  const { page, close } = await open("scenarios/size_pruned_first_scripted", { hash: "#t=0.41&view=knowledge&sel=mdl_80" });
+  assert.equal(await page.locator("#inspector .definition .now").textContent(), "comparedH = h, C = c2");
+  assert.equal(await page.locator("#film .bound").count(), 0);
+  assert.match(await page.locator("#inspector .verdict").first().textContent(), /^With H = h, C = c2; what this leaves open may differ\. \u03c8 = 3\/4/);
+  await close();
+});
+
+test("a model is bound in its own variables, when it predicts silently, too", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=0.96&view=knowledge&sel=mdl_19" });
+  const now = page.locator("#inspector .definition .now");
+  // From 0 by 15 to 15.
+  assert.equal(await now.textContent(), "nowP0 = 0, H = h, D = 15, P1 = 15");
+  await close();
+  const ball = await open("scenarios/moving_ball", { hash: "#t=1.4&view=reasoning&sel=mdl_8" });
+  assert.match(await ball.page.locator("#inspector .definition .now").textContent(), /^nowP0 = 52, B = b, S = 20, P1 = 54$/);
+  // What stood against it is not among what allowed it.
+  assert.match(await ball.page.locator(".chain td[data-question='so this model applies']").textContent(), /^mdl_10 expects .*and this spoke against it:mdl_96 denies/);
+  assert.match(await ball.page.locator(".chain td[data-question='expected']").textContent(), /Predicted silently: b at 54\./);
+  // Silent ones count where evidence does.
+  await ball.page.locator("#tab-knowledge").click();
+  assert.match(await ball.page.locator(".graph .item[data-id='mdl_8']").first().textContent(), /came true \d+ of \d+/);
+  await ball.close();
+});
+
+test("a sub-goal that was left says when and why", async () => {
+  const { page, close } = await open("scenarios/size_pruned_first_scripted", { hash: "#t=0.61&sel=goal_129" });
+  assert.match(await page.locator("#inspector").textContent(), /What came of it\? left at 0\.71 s, to look for a way again/);
+  await page.evaluate(() => { location.hash = "#t=0.81&sel=goal_161"; });
+  await settled(page);
+  assert.match(await page.locator("#inspector").textContent(), /What came of it\?No longer pursued: h holding \[c2\] \(what it served is settled\)\.0\.9 s/);
+  // What stood in its way comes first, and nothing that held is among it.
+  await page.evaluate(() => { location.hash = "#t=0.9&sel=goal_72"; });
+  await settled(page);
+  const reasons = await page.locator("#inspector .block", { hasText: "Why not?" }).locator(".tree").first().locator(".line").allTextContents();
+  assert.match(reasons[0], /Not pursued: c2 size small \(a property, which nothing changes\)/);
+  assert.equal(reasons.filter((text) => /h hand|shape cube/.test(text)).length, 0, reasons.join("\n"));
+  await close();
+});
+
+test("what rides on another model says where it ends up as that computes it", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=0.96&view=knowledge&sel=mdl_69" });
+  assert.match(await page.locator("#inspector .say").textContent(), /then move \[H A\] makes H at P \+ A makes S at P \+ A\.$/);
+  await close();
+});
+
+test("the life of a thing has what was seen of it, that of a state only when it held", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=2&sel=thing:s" });
+  const rows = () => page.locator("#inspector .block", { hasText: /What happened with it\?|When did it hold\?/ }).locator(".tree .line").allTextContents();
+  const seen = (await rows()).filter((text) => text.startsWith("Seen: s at"));
+  assert.deepEqual(seen.map((text) => /at (\d+)/.exec(text)[1]), ["5", "0", "15", "5"]);
+  await page.evaluate(() => { location.hash = "#t=2&sel=cst_45"; });
+  await settled(page);
+  const held = await rows();
+  assert.ok(held.length > 2 && held.every((text) => text.startsWith("cst_45 holds: ")), held.join("\n"));
+  await close();
+});
+
+test("vetoes are apart from what allows a model", async () => {
+  const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=2&sel=mdl_44" });
+  const block = page.locator("#inspector .block", { hasText: "When does it work?" });
+  const lists = await block.locator(".tree").evaluateAll((trees) => trees.map((tree) => [...tree.querySelectorAll("b")].map((id) => id.textContent)));
+  assert.deepEqual(lists[0], ["mdl_46"]);
+  assert.equal(lists[1].length, 7);
+  await close();
+});
+
 test("a fall of confidence carries its number, where there is room", async () => {
   const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=2&view=knowledge&sel=mdl_46" });
   assert.deepEqual(await page.locator("#inspector .life .value tspan").allTextContents(), ["1.00", "0.67", "0.75", "0.80"]);

@@ -85,6 +85,9 @@ json ComparisonData(const ReportContext& context, const Event& event) {
                {"confidence", FormatConfidence(compared.confidence)},
                {"verdict", VerdictText(compared.verdict)},
                {"accepted", compared.verdict == AnalogyVerdict::kAccepted}};
+  if (const std::string bound = BindingsText(BindingsOf(context.knowledge, compared.bindings));
+      !bound.empty())
+    data["bindings"] = Shortened(bound, kLongestLine);
   if (compared.result_requirement.valid()) data["result"] = IdText(compared.result_requirement);
   if (compared.psi > 0) data["source_sure"] = FormatConfidence(compared.confidence / compared.psi);
   for (const Parameter& parameter : context.run.started().parameters)

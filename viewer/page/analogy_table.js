@@ -16,7 +16,7 @@ function comparisonTable(app, one) {
 
 function comparisonVerdict(one) {
   const share = `${one.matched + one.achievable}/${one.total}`;
-  const text = [el("b", { text: `\u03c8 = ${share} = ${one.psi}, ${one.verdict}` })];
+  const text = [...(one.bindings ? [`With ${one.bindings}; what this leaves open may differ. `] : []), el("b", { text: `\u03c8 = ${share} = ${one.psi}, ${one.verdict}` })];
   if (one.above && one.accepted) text.push(` (above ${one.above})`);
   text.push(".");
   if (one.accepted && one.source_sure) text.push(` Starts at ${one.psi} \u00d7 ${one.source_sure} (${one.requirement}) = ${one.confidence}.`);

@@ -61,7 +61,9 @@ class App {
   subject(id) {
     const number = this.numbers.get(id);
     if (number !== undefined) return this.subjectByNumber(number);
-    const event = /^#(\d+)$/.exec(id);
+    // A simulation is known by the event that began it.
+    const simulation = /^sim_(\d+)$/.exec(id);
+    const event = /^#(\d+)$/.exec(simulation ? "#" + this.log.beginningOf(Number(simulation[1])) : id);
     if (!event || !(Number(event[1]) >= 1 && Number(event[1]) <= this.log.count)) return null;
     return this.eventSubject(Number(event[1]));
   }
@@ -125,6 +127,10 @@ class App {
     }
     return this.conditions.get(id) || [];
   }
+  isVeto(id) {
+    this.vetoes = this.vetoes || new Set(this.report.graph.bands.flatMap((band) => band.cards.filter((card) => card.strong).map((card) => card.subject)));
+    return this.vetoes.has(id);
+  }
   // The title, with the id where the title alone would not do.
   titleOf(number) {
     const { id, title } = this.report.subjects;
@@ -136,9 +142,10 @@ class App {
     for (const use of (subject.detail && subject.detail.uses) || []) if (use[0] <= t && t < use[1]) found = use;
     return found;
   }
+  // What its variables stand for, but where it was only compared.
   bindings(subject, t) {
     const use = this.useAt(subject, t);
-    return use && use[2];
+    return use && use[3] !== USED_IN_COMPARISON && use[2];
   }
 
   setView(name) {
@@ -207,7 +214,9 @@ class App {
     this.setTheme(state.get("th") === "dark" || state.get("th") === "light" ? state.get("th") : "");
     const seconds = Number.parseFloat(state.get("t"));
     const wanted = state.get("sel") || "";
-    const chosen = this.subject(wanted) ? wanted : this.selected || this.firstChoice();
+    const known = this.subject(wanted);
+    const chosen = known ? known.id : this.selected || this.firstChoice();
+    $("said").textContent = wanted && !known ? `There is no ${wanted.slice(0, 40).replace(/[^\w:#. -]/g, "?")} here.` : "";
     if (Number.isFinite(seconds)) this.t = clamp(seconds * 1e6, this.report.clock.start, this.report.clock.end);
     else if (!this.selected) this.t = this.firstMoment(this.subject(chosen));
     this.saved = "";

@@ -97,7 +97,11 @@ function eventsPane(app) {
       shown = out.subarray(0, used);
       list.set(used);
       count.textContent = `${used} of ${log.count}` + (done ? "" : " so far");
-      if (done) { current = positionOf(app.t); list.show(anchor && !words && !about ? positionOfEvent(anchor) : current); }
+      if (done) {
+        current = positionOf(app.t);
+        const selected = selectedNow();
+        list.show(selected ? positionOfEvent(selected) : anchor && !words && !about ? positionOfEvent(anchor) : current);
+      }
     };
     if (!words) {
       for (let i = 0; i < n; ++i) { const event = pool ? pool[i] : i + 1; if (fits(event)) out[used++] = event; }
@@ -139,6 +143,11 @@ function eventsPane(app) {
     return low;
   }
   const eventAtCursor = () => log.ofFrame(app.frame)[0];
+  // The selected event, if the cursor stands at its time; else 0.
+  function selectedNow() {
+    const selected = /^#(\d+)$/.exec(app.selected);
+    return selected && log.time(Number(selected[1])) === app.t ? Number(selected[1]) : 0;
+  }
   function goOn(by) {
     if (!shown.length) return;
     const selected = /^#(\d+)$/.exec(app.selected);
@@ -177,8 +186,8 @@ function eventsPane(app) {
     showTime(t) {
       if (app.view !== "events") return;
       current = positionOf(t);
-      const selected = /^#(\d+)$/.exec(app.selected);
-      const here = selected && log.time(Number(selected[1])) === t ? positionOfEvent(Number(selected[1])) : current;
+      const selected = selectedNow();
+      const here = selected ? positionOfEvent(selected) : current;
       if (list.inSight(here)) list.draw(); else list.show(here);
     },
     showSelection() { if (app.view === "events") list.draw(); },

@@ -479,7 +479,7 @@ function graphPane(app) {
         if (card.outcomes[middle][0] <= t) low = middle + 1; else high = middle;
       }
       if (number !== undefined && log.phasedOutAt(number, t)) note.textContent = "phased out";
-      else if (low) note.replaceChildren(`came true ${card.outcomes[low - 1][1]} of ${low}`, svg("title", { text: ", of what it predicted; its evidence also counts what it was learned from" }));
+      else if (low) note.replaceChildren(`came true ${card.outcomes[low - 1][1]} of ${low}`, svg("title", { text: ", of what it predicted, silently too; its evidence also counts what it was learned from" }));
       else note.textContent = "not yet tried";
     });
   }

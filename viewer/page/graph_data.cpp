@@ -35,11 +35,11 @@ json FormData(const BandForm& form) {
 class GraphAuthor {
  public:
   explicit GraphAuthor(const ReportContext& context) : context_(context), knowledge_(context.knowledge) {
-    for (const PredictionRecordOfRun& prediction : context_.summary.predictions)
-      if (prediction.outcome != Outcome::kOpen) decided_[prediction.model].push_back(&prediction);
+    NoteDecided<PredictionSucceeded>(true);
+    NoteDecided<PredictionFailed>(false);
     for (auto& [model, list] : decided_)
       std::stable_sort(list.begin(), list.end(),
-                       [](const auto* a, const auto* b) { return a->until < b->until; });
+                       [](const Decided& a, const Decided& b) { return a.time < b.time; });
   }
 
   json Write() const {
@@ -61,6 +61,22 @@ class GraphAuthor {
   }
 
  private:
+  struct Decided {
+    Time time;
+    bool right = false;
+  };
+  // In earnest, silent ones too: they count as evidence like the others.
+  template <class Outcome>
+  void NoteDecided(bool right) {
+    const Run& run = context_.run;
+    for (const EventId id : run.OfKind<Outcome>()) {
+      const Event& event = *run.Find(id);
+      const PredictionId prediction = run.FindBody<Outcome>(id)->prediction;
+      const auto* made = run.FindBody<PredictionMade>(run.CreationOf(prediction));
+      if (made != nullptr && !event.simulation.valid()) decided_[made->model].push_back({event.time, right});
+    }
+  }
+
   json BandData(const TriadBand& band) const {
     json cards = json::array();
     for (const Card& card : band.cards) cards.push_back(CardData(band, card));
@@ -178,9 +194,9 @@ class GraphAuthor {
     json outcomes = json::array();
     if (const auto found = decided_.find(card.model); found != decided_.end()) {
       std::int64_t right = 0;
-      for (const PredictionRecordOfRun* prediction : found->second) {
-        right += prediction->outcome == Outcome::kReached ? 1 : 0;
-        outcomes.push_back({prediction->until.us, right});
+      for (const Decided& decided : found->second) {
+        right += decided.right ? 1 : 0;
+        outcomes.push_back({decided.time.us, right});
       }
     }
     json data = {{"kind", "model"},     {"id", IdText(card.model)}, {"subject", IdText(card.model)},
@@ -220,7 +236,7 @@ class GraphAuthor {
 
   const ReportContext& context_;
   const KnowledgeBase& knowledge_;
-  std::map<ModelId, std::vector<const PredictionRecordOfRun*>> decided_;  // by when they were decided
+  std::map<ModelId, std::vector<Decided>> decided_;  // its predictions, by when they were decided
 };
 
 }  // namespace

@@ -1,5 +1,8 @@
 // ---- inspector.js: what the selected thing says, how sure, what was compared, why it exists, what it led to.
 
+const ROWS_OF_A_LIFE = 40;
+const USED_BY_PREDICTION = 0, USED_IN_COMPARISON = 2;   // what bound the variables
+
 function inspectorPane(app) {
   const box = $("inspector");
   let live = [];
@@ -92,7 +95,7 @@ function inspectorPane(app) {
     const bindings = use && use[2];
     // What a prediction bound in an earlier frame need not be so now: the outcome is still awaited.
     const frame = app.frames[frameAt(app.frames, t)];
-    label.textContent = use && !use[3] && use[0] < frame ? "at " + secondsText(use[0]) : "now";
+    label.textContent = use && use[3] === USED_BY_PREDICTION && use[0] < frame ? "at " + secondsText(use[0]) : use && use[3] === USED_IN_COMPARISON ? "compared" : "now";
     if (!bindings || !bindings.length) {
       const text = subject.kind === "requirement" ? "not seen to hold at this moment" : "no prediction rests on it at this moment";
       node.replaceChildren(el("span", { class: "quiet", text }));
@@ -207,7 +210,7 @@ function inspectorPane(app) {
     // Right often enough, a model is confirmed, and its count begins anew; this may happen again.
     let anew = steps.indexOf(step);
     while (anew > 0 && steps[anew].total >= steps[anew - 1].total) --anew;
-    if (anew > 0) return `${right}, counted anew since ${secondsText(steps[anew].at)}, when it had been right often enough to be confirmed.`;
+    if (anew > 0) return `${right}, counted anew since ${secondsText(steps[anew].at)}, as each time it has been right often enough.`;
     const [first] = steps;
     const began = { given: "given", "by analogy": "inherited by analogy" + (subject.detail.derived_from ? " from " + subject.detail.derived_from : "") }[first.why]
       || (subject.detail.strong ? "the failure it was learned from" : "the observation it was learned from");
@@ -242,10 +245,11 @@ function inspectorPane(app) {
     return block(heading("What came of it?"), line, instead);
   }
   function requirements(subject) {
-    const ids = subject.detail.requirements;
-    if (!ids || !ids.length) return null;
-    return block(heading({ prediction: "What said so?", state: "What is said where it holds?" }[subject.kind] || "When does it work?"), subjectList(ids.slice(0, 40).map((id) => app.subject(id)).filter((one) => one)),
-      ids.length > 40 ? el("p", { class: "verdict quiet", text: `and ${ids.length - 40} more` }) : "");
+    const list = (title, ids) => (ids && ids.length ? [heading(title), subjectList(ids.slice(0, 40).map((id) => app.subject(id)).filter((one) => one)),
+      ids.length > 40 ? el("p", { class: "verdict quiet", text: `and ${ids.length - 40} more` }) : ""] : []);
+    const parts = [...list({ prediction: "What said so?", state: "What is expected where it holds?" }[subject.kind] || "When does it work?", subject.detail.requirements),
+      ...list(subject.kind === "state" ? "What is denied where it holds?" : "When does it not work?", subject.detail.vetoes)];
+    return parts.length ? block(...parts) : null;
   }
   // Where it comes from and where it belongs: the knowledge generalised, the goal served, sub-goals, commands.
   function relatives(subject) {
@@ -255,7 +259,10 @@ function inspectorPane(app) {
       const known = (ids || []).map((id) => app.subject(id)).filter((one) => one);
       if (known.length) parts.push(heading(title), subjectList(known.slice(0, 24)), known.length > 24 ? el("p", { class: "verdict quiet", text: `and ${known.length - 24} more` }) : "");
     };
-    list("Which states is it made of?", nested);
+    if (nested) {
+      parts.push(heading("Which states is it made of?"), el("div", { class: "tree" }, ...nested.map(([id, text]) => el("div", { class: "line" },
+        el("button", { type: "button", on: { click: () => app.select(id) } }, el("span", { class: "what" }, mark(app.subject(id).mark), el("span", {}, el("b", { text: id }), " " + text)))))));
+    }
     list("Generalised from", from ? [from] : []);
     list("For which goal?", goal ? [goal] : subject.parent !== null && subject.parent !== undefined ? [app.report.subjects.id[subject.parent]] : []);
     list("By which model?", model ? [model] : []);
@@ -321,12 +328,11 @@ function inspectorPane(app) {
   // The strong requirement models that won against what was wanted, as the event's causes name them.
   async function vetoesBehind(event) {
     const { log } = app;
-    app.strong = app.strong || new Set(app.report.graph.bands.flatMap((band) => band.cards.filter((card) => card.strong).map((card) => card.subject)));
     const causes = { GoalSkipped: () => [...log.causes(event)], PlanRejected: () => [...log.causes(event)].flatMap((ended) => [...log.causes(ended)]) }[log.kind(event).name];
     const says = { ImdlPredicted: "requirement", ChainingDecided: "winner" };
     const fields = await Promise.all((causes ? causes() : []).filter((cause) => log.kind(cause).name in says)
       .map(async (cause) => (await log.fields(cause)).fields.find((field) => field.name === says[log.kind(cause).name])));
-    return fields.map((field) => (field ? field.go : "")).filter((id) => app.strong.has(id));
+    return fields.map((field) => (field ? field.go : "")).filter((id) => app.isVeto(id));
   }
   function withSubGoals(number) {
     if (!app.subGoals) {
@@ -384,12 +390,19 @@ function inspectorPane(app) {
     if (subject.number < 0) return null;
     const events = app.log.eventsOf(subject.number);
     if (!events.length) return null;
-    const also = subject.kind === "state" ? "IcstFound" : "EvidenceUpdated";
-    const told = [...events.subarray(0, 5000)].filter((event) => !app.log.imagined(event) && (app.log.worthALine(event) || app.log.kind(event).name === also));
-    const shown = told.slice(0, 14);
+    const is = (event, name) => app.log.kind(event).name === name;
+    // Of a state when it held; of a thing, too, each value that was seen of it anew; of a model every test.
+    const tells = { state: (event) => is(event, "IcstFound") }[subject.kind] || ((event) => app.log.worthALine(event) || is(event, "EvidenceUpdated"));
+    const told = [...events.subarray(0, 5000)].filter((event) => !app.log.imagined(event) && tells(event));
+    const thing = subject.kind === "thing" && app.report.objects.find((one) => "thing:" + one.name === subject.id);
+    const life = thing ? [...new Set([...told, ...thing.changes.map((change) => change.event)])].sort((one, other) => one - other) : told;
+    const shown = life.slice(0, ROWS_OF_A_LIFE);
+    const all = thing ? `The ${events.length} events that are about it`
+      : events.length === 1 ? "The one event that speaks of it" : `All ${events.length} events that speak of it`;
     return block(heading({ thing: "What happened with it?", state: "When did it hold?" }[subject.kind] || "Its life", "", "part-life"),
       el("div", { class: "tree" }, ...shown.map((event) => el("div", { class: "line" }, eventRow(app, event, { picture: false })))),
-      el("button", { type: "button", class: "link all-events", text: events.length === 1 ? "The one event that speaks of it" : `All ${events.length} events that speak of it`,
+      life.length > shown.length ? el("p", { class: "verdict quiet", text: `and ${life.length - shown.length} more` }) : "",
+      el("button", { type: "button", class: "link all-events", text: all, title: thing ? "Goals, comparisons, predictions and commands; what is seen of it frame by frame is not among them" : "",
         on: { click: () => { app.about(subject); app.setView("events"); } } }));
   }
 
@@ -400,7 +413,8 @@ function inspectorPane(app) {
 
   return app.add({
     showSelection(subject) {
-      down.textContent = "\u2193 " + capitalised(subject.title);
+      // The name of a thing is what it is.
+      down.textContent = "\u2193 " + (subject.kind === "thing" ? subject.title : capitalised(subject.title));
       busyWith(draw(subject));
     },
     showTime(t) { for (const part of live) part(t); },

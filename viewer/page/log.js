@@ -44,6 +44,8 @@ class EventLog {
   against(event) { return (this.signOf[event - 1] & SIGN.against) !== 0; }
   chapter(event) { return CHAPTERS[this.signOf[event - 1] & SIGN.chapter]; }
   simulation(event) { return this.simulationOf[event - 1]; }
+  // The event that began a simulation; 0 if there is none.
+  beginningOf(simulation) { return simulation > 0 ? this.simulationOf.indexOf(simulation) + 1 : 0; }
   // Numbers of the subjects it speaks of, the first most of all.
   subjectsOf(event) { return this.mentions.list.subarray(this.mentions.start[event - 1], this.mentions.start[event]); }
 

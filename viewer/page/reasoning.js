@@ -47,7 +47,12 @@ function reasoningPane(app) {
         const inputs = causes.filter((cause) => ["FactObserved", "ImdlFired", "PredictionMade", "CommandIssued"].includes(log.kind(cause).name));
         const outcome = [...log.effects(prediction)].filter((effect) => ["PredictionSucceeded", "PredictionFailed", "PredictionInvalidated"].includes(log.kind(effect).name));
         const list = (items) => (items.length ? items.slice(0, 4).map((event) => cell(event)) : [el("span", { class: "quiet", text: "\u2013" })]);
-        return el("tr", {}, ...[list(inputs), list(states), list(statements), [cell(prediction)], list(outcome.slice(0, 1))].map((items, i) => el("td", { "data-question": CHAIN[i] }, ...items)));
+        // What denied it stands apart from what allowed it.
+        const denies = (event) => [...log.subjectsOf(event)].some((number) => app.isVeto(app.report.subjects.id[number]));
+        const against = statements.filter(denies);
+        const said = [...list(statements.filter((event) => !denies(event))),
+          ...(against.length ? [el("span", { class: "quiet against", text: "and this spoke against it:" }), ...list(against)] : [])];
+        return el("tr", {}, ...[list(inputs), list(states), said, [cell(prediction)], list(outcome.slice(0, 1))].map((items, i) => el("td", { "data-question": CHAIN[i] }, ...items)));
       });
       out.push(heading("What did it expect, and why?", `${made.length} ${made.length === 1 ? "prediction" : "predictions"}`),
         el("div", { class: "wide" }, el("table", { class: "chain" }, el("thead", {}, el("tr", {}, ...CHAIN.map((text) => el("th", { text })))), el("tbody", {}, ...rows))));
@@ -129,8 +134,10 @@ function reasoningPane(app) {
   }
   // A plan: chosen, or why not; unfolded, what it imagined step by step.
   function planNode(plan) {
-    const verdict = plan.chosen ? "chosen" : plan.why ? "" : plan.end && log.failed(plan.end) ? "" : "not chosen";
-    const summary = el("summary", {}, mark(plan.chosen ? "check" : "cross"), " ", eventSentence(app, plan.event), verdict ? el("b", { text: " " + verdict }) : "");
+    const failed = plan.end && log.failed(plan.end);
+    const verdict = plan.chosen ? "chosen" : plan.why || failed ? "" : plan.end ? "would have worked, but was not chosen" : "not chosen";
+    // One that would have worked has no cross.
+    const summary = el("summary", {}, mark(plan.chosen ? "check" : failed || !plan.end ? "cross" : "goal"), " ", eventSentence(app, plan.event), verdict ? el("b", { text: " " + verdict }) : "");
     summary.dataset.event = plan.event;
     const rows = [...plan.steps, plan.end, plan.why, plan.chosen].filter((event) => event);
     return el("li", {}, el("details", { class: "tried imagined" + (plan.chosen ? " chosen" : "") }, summary,

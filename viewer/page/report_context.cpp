@@ -16,6 +16,46 @@ std::string LastEntity(const Term& term) {
   return name;
 }
 
+// What a composite state bound that was found to hold, among the causes of an instance of a requirement
+// model; empty if there is none.
+std::vector<Binding> BindingsBehind(const Run& run, EventId instance) {
+  for (const EventId cause : run.Causes(instance))
+    if (const auto* found = run.FindBody<IcstFound>(cause))
+      return BindingsOf(run.final_knowledge(), found->fact.payload);
+  return {};
+}
+
+// What the variables of the model stood for that made a prediction, times left out: what its requirement
+// models say, what was on its left side, and what it expects.
+std::vector<Binding> BindingsOfModel(const Run& run, EventId prediction) {
+  const auto& made = *run.FindBody<PredictionMade>(prediction);
+  const ModelRecord* record = run.final_knowledge().Find(made.model);
+  if (record == nullptr) return {};
+  const Model& model = record->model;
+  Bindings bound;
+  const auto bind = [&](auto&& one_more) {
+    Bindings trial = bound;
+    if (one_more(trial)) bound = std::move(trial);
+  };
+  bind([&](Bindings& trial) { return Match(model.rhs.payload, made.target.payload, trial); });
+  for (const EventId cause : run.Causes(prediction)) {
+    const auto* said = run.FindBody<ImdlPredicted>(cause);
+    if (said != nullptr && said->fact.positive && IsImdl(said->fact.payload) &&
+        said->fact.payload[0] == Term::Reference(made.model))
+      bind([&](Bindings& trial) { return BindInstance(model, said->fact.payload, trial); });
+  }
+  if (const auto* seen = run.FindBody<FactObserved>(run.CreationOf(made.input)))
+    bind([&](Bindings& trial) { return Match(model.lhs.payload, seen->fact.payload, trial); });
+  const std::vector<std::string> names = VariableNames(run.final_knowledge(), model);
+  std::vector<Binding> bindings;
+  for (std::size_t v = 0; v < names.size(); ++v) {
+    const Term* value = bound.Find(static_cast<int>(v));
+    if (value != nullptr && value->ground() && !value->is(TermKind::kTime) && !value->is(TermKind::kDuration))
+      bindings.push_back({names[v], ValueText(*value)});
+  }
+  return bindings;
+}
+
 }  // namespace
 
 ReportContext::ReportContext(const Run& the_run)
@@ -41,15 +81,6 @@ void ReportContext::CollectComparisons() {
   }
 }
 
-// What a composite state bound that was found to hold, among the causes of an instance of a requirement
-// model; empty if there is none.
-static std::vector<Binding> BindingsBehind(const Run& run, EventId instance) {
-  for (const EventId cause : run.Causes(instance))
-    if (const auto* found = run.FindBody<IcstFound>(cause))
-      return BindingsOf(run.final_knowledge(), found->fact.payload);
-  return {};
-}
-
 // A model is used from the comparison or the prediction on that bound it, up to the frame in which the
 // outcome was seen. Of two uses that begin at once, the later in the list tells more.
 void ReportContext::CollectUses() {
@@ -59,8 +90,8 @@ void ReportContext::CollectUses() {
     const auto* compared = run.FindBody<AnalogyCompared>(event);
     // The new state has the variables of its source by name, so the source's instance tells what they stand
     // for.
-    uses[requirement].push_back(
-        {run.Find(event)->time, run.Find(event)->time + period, BindingsOf(knowledge, compared->bindings)});
+    uses[requirement].push_back({run.Find(event)->time, run.Find(event)->time + period,
+                                 BindingsOf(knowledge, compared->bindings), Use::Kind::kCompared});
   }
   for (const PredictionRecordOfRun& prediction : summary.predictions) {
     std::vector<Binding> bindings;
@@ -68,10 +99,21 @@ void ReportContext::CollectUses() {
       if (bindings.empty() && run.FindBody<ImdlPredicted>(cause) != nullptr)
         bindings = BindingsBehind(run, cause);
     }
-    if (bindings.empty()) continue;
-    const Use use{prediction.time, prediction.until + period, bindings};
-    for (const ModelId requirement : prediction.requirements) uses[requirement].push_back(use);
-    uses[prediction.model].push_back(use);
+    const Time until = prediction.until + period;
+    if (!bindings.empty())
+      for (const ModelId requirement : prediction.requirements)
+        uses[requirement].push_back({prediction.time, until, bindings});
+    std::vector<Binding> own = BindingsOfModel(run, prediction.event);
+    if (!own.empty()) uses[prediction.model].push_back({prediction.time, until, std::move(own)});
+  }
+  // Silent ones are not among those, but the model was right or wrong with them, too.
+  for (const EventId id : run.OfKind<PredictionMade>()) {
+    const auto& made = *run.FindBody<PredictionMade>(id);
+    const Event& event = *run.Find(id);
+    if (event.simulation.valid() || made.target.confidence > 0) continue;
+    std::vector<Binding> own = BindingsOfModel(run, id);
+    const Time until = std::min(made.target.interval.before, run.end() + period);
+    if (!own.empty()) uses[made.model].push_back({event.time, until, std::move(own)});
   }
   for (auto& [model, list] : uses)
     std::stable_sort(list.begin(), list.end(), [](const Use& a, const Use& b) { return a.from < b.from; });
@@ -89,10 +131,15 @@ void ReportContext::CollectInstances() {
     if (bindings.empty()) continue;
     const Time until = std::min(predicted.fact.interval.before, end);
     std::vector<Use>& list = uses[predicted.requirement];
-    if (!list.empty() && event.time <= list.back().until && bindings == list.back().bindings)
-      list.back().until = std::max(list.back().until, until);
+    // It may say so of a few things in turn, frame after frame.
+    const auto recent = list.end() - std::min<std::ptrdiff_t>(std::ssize(list), 8);
+    const auto same = std::find_if(recent, list.end(), [&](const Use& use) {
+      return event.time <= use.until && bindings == use.bindings;
+    });
+    if (same != list.end())
+      same->until = std::max(same->until, until);
     else
-      list.push_back({event.time, until, std::move(bindings), true});
+      list.push_back({event.time, until, std::move(bindings), Use::Kind::kHolds});
   }
 }
 

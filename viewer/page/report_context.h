@@ -15,12 +15,14 @@
 
 namespace aerascope {
 
-// A stretch of time in which the variables of a piece of knowledge stood for something.
+// A stretch of time in which the variables of a piece of knowledge stood for something: a prediction rests on it,
+// the state of a requirement model is seen to hold (whatever comes of it), or a comparison put things in their
+// place.
 struct Use {
   Time from;
   Time until;
   std::vector<Binding> bindings;
-  bool holds = false;  // of a requirement model: its state is seen to hold, whatever comes of it
+  enum class Kind { kPrediction, kHolds, kCompared } kind = Kind::kPrediction;
 };
 
 struct ReportContext {

@@ -94,8 +94,9 @@ class ReportAuthor {
     if (analogies > 0) items.push_back(more(analogies, " by analogy", "analogy"));
     if (given_up > 0) items.push_back(more(given_up, " given up", "learned"));
     items.push_back(item(std::to_string(summary_.score.came_true) + " of " +
-                             Plural(summary_.score.made, "prediction") + " came true",
+                             Plural(summary_.score.decided(), "prediction") + " came true",
                          "prediction", summary_.score.failed > 0));
+    if (summary_.score.open() > 0) items.push_back(more(summary_.score.open(), " not decided", "prediction"));
     return items;
   }
 
@@ -137,7 +138,10 @@ class ReportAuthor {
       std::string& before = last[name][attribute];
       if (before == value) continue;
       before = value;
-      json change = {{"at", observed.fact.interval.after.us}, {"attribute", attribute}, {"value", value}};
+      json change = {{"at", observed.fact.interval.after.us},
+                     {"attribute", attribute},
+                     {"value", value},
+                     {"event", id.value}};
       if (const json place = Place(payload[2]); !place.empty()) change["place"] = place;
       seen[name].push_back(std::move(change));
     }

@@ -59,7 +59,7 @@ function storyPane(app) {
       before = when;
     }
     list.replaceChildren(...[more(first, "earlier", first), ...rows.map((one) => one.item), more(shown.length - last, "later", last),
-      shown.length ? "" : el("li", { class: "none", text: "Nothing of this kind happened." })].filter((node) => node));
+      shown.length ? "" : el("li", { class: "none", text: words ? "No sentence of the story has these words." : "Nothing of this kind happened." })].filter((node) => node));
   }
   function showNow() {
     const start = app.frames[app.frame];

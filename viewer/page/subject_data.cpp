@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "engine/base/text.h"
 #include "viewer/page/analogy_data.h"
@@ -60,6 +61,8 @@ class DetailAuthor {
       compared_with_[analogy.compared->requirement].push_back(analogy.event);
       compared_state_[analogy.compared->source].push_back(analogy.event);
     }
+    for (const GoalNode& goal : context_.goals.goals)
+      if (!goal.drive) searches_[context_.goals.goals[DriveOf(goal)].goal].insert(goal.time);
     for (const auto& [id, record] : knowledge_.models()) {
       if (!IsRequirement(record.model)) continue;
       requirements_of_[TargetModel(record.model)].push_back(id);
@@ -109,14 +112,14 @@ class DetailAuthor {
              MadeNote(record.origin, record.created)},
         {"say", Shortened(ExplanationOf(knowledge_, model.id), kLongestText)},
         {"vars", VariableNames(knowledge_, model)},
-        {"definition", requirement ? RequirementDefinition(model) : ModelDefinition(model, kind)}};
+        {"definition", requirement ? RequirementDefinition(model) : ModelDefinition(model)}};
     if (kind == ModelKind::kStrongRequirement) data["strong"] = true;
     if (const CompositeStateRecord* state = knowledge_.Find(RequiredState(model)))
       AddNested(data, state->state);
     if (record.derived_from.valid()) data["derived_from"] = IdText(record.derived_from);
     if (!requirement)
       if (const auto found = requirements_of_.find(model.id); found != requirements_of_.end())
-        data["requirements"] = SubjectIds(found->second);
+        AddRequirements(data, found->second);
     if (const auto history = context_.histories.find(model.id); history != context_.histories.end())
       data["steps"] = StepData(history->second);
     if (const auto uses = context_.uses.find(model.id); uses != context_.uses.end())
@@ -150,7 +153,7 @@ class DetailAuthor {
     return definition;
   }
 
-  json ModelDefinition(const Model& model, ModelKind kind) const {
+  json ModelDefinition(const Model& model) const {
     const ModelLines lines = LinesOf(knowledge_, model);
     const auto line = [&](const std::string& text, bool positive) {
       json data = ConditionData(text, lines.variables);
@@ -158,22 +161,21 @@ class DetailAuthor {
       return data;
     };
     return {{{"side", "lhs"},
-             {"label", kind == ModelKind::kCausal ? "if done" : "if"},
+             {"label", IsCommand(model.lhs.payload) ? "if done" : "if"},
              {"lines", {line(lines.lhs, model.lhs.positive)}}},
             {{"side", "rhs"}, {"label", "then"}, {"lines", {line(lines.rhs, model.rhs.positive)}}}};
   }
 
   json StateDetail(const CompositeStateRecord& record) const {
     const CompositeStateId id = record.state.id;
-    json data = {{"note", "composite state, " + MadeNote(record.origin, record.created)},
-                 {"definition",
-                  {{{"side", "lhs"},
-                    {"label", IdText(id)},
-                    {"lines", Lines(ConditionsWithPruned(knowledge_, id))}}}}};
+    json data = {
+        {"note", "composite state, " + MadeNote(record.origin, record.created)},
+        {"definition",
+         {{{"side", "lhs"}, {"label", IdText(id)}, {"lines", Lines(ConditionsWithPruned(knowledge_, id))}}}}};
     AddNested(data, record.state);
     if (record.derived_from.valid()) data["derived_from"] = IdText(record.derived_from);
     if (const auto found = requirements_on_.find(id); found != requirements_on_.end())
-      data["requirements"] = SubjectIds(found->second);
+      AddRequirements(data, found->second);
     if (const auto found = compared_state_.find(id); found != compared_state_.end()) {
       json list = json::array();
       for (const EventId event : found->second) list.push_back(event.value);
@@ -185,10 +187,13 @@ class DetailAuthor {
   // The composite states among its components: two states that read alike may be made of different ones.
   void AddNested(json& data, const CompositeState& state) const {
     json nested = json::array();
+    const std::vector<std::string> names = VariableNames(knowledge_, state);
     for (const FactPattern& component : state.components) {
       if (!IsIcst(component.payload) || !component.payload[0].is(TermKind::kCompositeState)) continue;
       const CompositeStateId id = component.payload[0].composite_state();
-      if (subjects_.Find(id)) nested.push_back(IdText(id));
+      if (subjects_.Find(id))
+        nested.push_back(
+            {IdText(id), Shortened(PayloadText(knowledge_, component.payload, names), kLongestText)});
     }
     if (!nested.empty()) data["nested"] = nested;
   }
@@ -212,7 +217,7 @@ class DetailAuthor {
       json bindings = json::array();
       for (const Binding& binding : use.bindings)
         bindings.push_back({binding.variable, Shortened(binding.value, kLongestTitle)});
-      data.push_back({use.from.us, use.until.us, bindings, use.holds ? 1 : 0});
+      data.push_back({use.from.us, use.until.us, bindings, static_cast<int>(use.kind)});
     }
     return data;
   }
@@ -246,6 +251,17 @@ class DetailAuthor {
     return list;
   }
 
+  // What allows, and apart from that what forbids.
+  void AddRequirements(json& data, const std::vector<ModelId>& models) const {
+    std::vector<ModelId> weak, strong;
+    for (const ModelId id : models) {
+      const bool forbids = KindOf(knowledge_.Find(id)->model) == ModelKind::kStrongRequirement;
+      (forbids ? strong : weak).push_back(id);
+    }
+    if (!weak.empty()) data["requirements"] = SubjectIds(weak);
+    if (!strong.empty()) data["vetoes"] = SubjectIds(strong);
+  }
+
   json GoalDetail(const GoalNode& goal) const {
     json data = {{"note", (goal.drive ? "drive, given at " : "sub-goal, set at ") + SecondsText(goal.time) +
                               ", until " + SecondsText(goal.target.interval.before)},
@@ -255,7 +271,7 @@ class DetailAuthor {
                  {"drive", goal.drive}};
     if (goal.outcome == Outcome::kReached) data["result"] = "reached at " + SecondsText(goal.outcome_time);
     if (goal.outcome == Outcome::kFailed) data["result"] = "not reached by " + SecondsText(goal.outcome_time);
-    if (goal.outcome == Outcome::kOpen) data["result"] = "still open";
+    if (goal.outcome == Outcome::kOpen) data["result"] = WhatBecameOf(goal);
     if (goal.model.valid() && subjects_.Find(goal.model)) data["model"] = IdText(goal.model);
     json sub_goals = json::array();
     for (const std::size_t position : goal.sub_goals)
@@ -268,6 +284,27 @@ class DetailAuthor {
     for (const IssuedCommand& command : goal.commands) commands.push_back(IdText(command.event));
     if (!commands.empty()) data["commands"] = commands;
     return data;
+  }
+
+  // Of a goal without an outcome of its own: a sub-goal lasts until the way to its drive is looked for again,
+  // or the drive is settled.
+  std::string WhatBecameOf(const GoalNode& goal) const {
+    const GoalNode& drive = context_.goals.goals[DriveOf(goal)];
+    if (goal.drive || !drive.drive) return "still open";
+    if (const auto anew = searches_.find(drive.goal); anew != searches_.end()) {
+      const auto next = anew->second.upper_bound(goal.time);
+      if (next != anew->second.end()) return "left at " + SecondsText(*next) + ", to look for a way again";
+    }
+    if (drive.outcome == Outcome::kOpen) return "still open";
+    return "left at " + SecondsText(drive.outcome_time) + ", when its drive was " +
+           (drive.outcome == Outcome::kReached ? "reached" : "missed");
+  }
+  std::size_t DriveOf(const GoalNode& goal) const {
+    std::size_t position = subjects_.list()[*subjects_.Find(goal.goal)].position;
+    const std::vector<GoalNode>& goals = context_.goals.goals;
+    for (std::size_t up = 0; up < goals.size() && goals[position].parent != position; ++up)
+      position = goals[position].parent;
+    return position;
   }
 
   json PlanData(const PlanRecord& plan) const {
@@ -311,6 +348,7 @@ class DetailAuthor {
   const Run& run_;
   const KnowledgeBase& knowledge_;
   const SubjectTable& subjects_;
+  std::map<GoalId, std::set<Time>> searches_;  // drive -> when a way to it was looked for
   std::map<GoalId, std::vector<EventId>> compared_for_;
   std::map<ModelId, std::vector<EventId>> compared_with_;
   std::map<CompositeStateId, std::vector<EventId>> compared_state_;  // as the source
