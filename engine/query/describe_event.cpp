@@ -379,6 +379,12 @@ class Teller {
     if (IsVetoed(e) && e.winner.valid())
       return IdText(e.model) + " is vetoed by " + IdText(e.winner) + " and predicts silently.";
     std::string text = IdText(e.model) + " " + std::string(Words(e.status));
+    if (e.status == ChainingStatus::kEnabledAgainstVeto) {
+      std::vector<std::string> vetoes;
+      for (const ConsideredRequirement& one : e.considered)
+        if (!one.positive) vetoes.push_back(IdText(one.requirement));
+      if (!vetoes.empty()) text += " (" + InWords(vetoes) + ")";
+    }
     if (e.winner.valid()) text += ", by " + IdText(e.winner);
     return text + ".";
   }

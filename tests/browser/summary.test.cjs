@@ -85,7 +85,7 @@ test("how often a model was tried is how often its evidence moved, also after it
   const { page, close } = await open("scenarios/moving_ball", { hash: "#view=overview&t=2.9" });
   const row = page.locator(".pieces tr", { hasText: "B speed S, with a ball" }).first();
   assert.equal(await row.locator("td").nth(2).textContent(), "28");
-  await page.locator("#inspector .counts", { hasText: "Evidence: right 8 of 10, counted anew since 2 s, when it had been right often enough to be confirmed." }).waitFor();
+  await page.locator("#inspector .counts", { hasText: "Evidence: right 8 of 10, counted anew since 2 s, as each time it has been right often enough." }).waitFor();
   await close();
 });
 

@@ -438,8 +438,8 @@ function graphPane(app) {
     const body = [svg("circle", { class: "ring-bed", cx, cy, r }), arc, sure];
     const slant = r * 0.7;
     if (card.strong) body.push(svg("path", { class: "bar", d: `M${cx + slant} ${cy - slant}l5 -5M${cx - slant} ${cy + slant}l-5 5` }));
-    if (isOpen) body.push(svg("text", { class: "gid", x: cx, y: y + h + 14, "text-anchor": "middle", text: card.id }));
-    if (isOpen && card.strong) body.push(svg("text", { class: "gid", x: cx, y: y - 8, "text-anchor": "middle", text: "never" }));
+    // Below its own ring, and not above: there the id of the one before stands.
+    if (isOpen) body.push(svg("text", { class: "gid", x: cx, y: y + h + 14, "text-anchor": "middle", text: card.id + (card.strong ? ": never" : "") }));
     const number = numberOf(card);
     return item(card, rect, body, (t) => {
       const value = number === undefined ? 0 : log.sureAt(number, t) ?? 0;

@@ -101,7 +101,9 @@ function inspectorPane(app) {
       node.replaceChildren(el("span", { class: "quiet", text }));
       return;
     }
-    node.replaceChildren(...bindings.flatMap(([name, value], i) => [i ? ", " : "", el("span", { class: "var", text: name }), " = ", el("b", { text: value })]));
+    const said = (value) => (app.subject("thing:" + value)
+      ? el("button", { type: "button", class: "link plain", on: { click: () => app.select("thing:" + value) } }, el("b", { text: value })) : el("b", { text: value }));
+    node.replaceChildren(...bindings.flatMap(([name, value], i) => [i ? ", " : "", el("span", { class: "var", text: name }), " = ", said(value)]));
   }
 
   // ---- of an event: what it says, field by field

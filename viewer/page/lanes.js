@@ -106,7 +106,9 @@ function lanesPane(app) {
         for (let i = firstAfter(list, from - 200 / scale, (entry) => entry.at); i < list.length && list[i].at <= to; ++i) {
           // Where they are dense, only as many as can be told apart.
           if (X(list[i].at) < free) continue;
-          out.push(laneMark(list[i], list[i + 1], top, sign));
+          let next = i + 1;
+          while (next < list.length && list[next].at === list[i].at) ++next;
+          out.push(laneMark(list[i], next - i, list[next], top, sign));
           free = X(list[i].at) + 3;
         }
         return out;
@@ -260,11 +262,12 @@ function lanesPane(app) {
       signRoom ? signAt(failed ? "cross" : "check", words ? left + room - 5 : x + w / 2, top + h / 2, 10, "mark") : "");
   }
 
-  function laneMark(entry, next, y, sign) {
+  // What came at one time is one sign, with how many it stands for.
+  function laneMark(entry, count, next, y, sign) {
     const x = X(entry.at), end = next ? X(next.at) - 8 : X(clock.end) + LANE.right;
     const middle = y + LANE.marks / 2;
-    const words = firstFitting([entry.text, entry.short], end - x - 9, 11);
-    return selectable(entry.subject, entry.text + ", " + secondsText(entry.at), "", entry.at,
+    const words = count > 1 ? firstFitting([count + " pieces", "\u00d7" + count], end - x - 9, 11) : firstFitting([entry.text, entry.short], end - x - 9, 11);
+    return selectable(entry.subject, entry.text + (count > 1 ? ` and ${count - 1} more` : "") + ", " + secondsText(entry.at), "", entry.at,
       svg("rect", { class: "focus", x: x - 8, y: middle - 9, width: 16 + (words ? widthOf(words, 11) + 4 : 0), height: 18, rx: 4 }),
       signAt(sign, x, middle, sign === "analogy" ? 13 : 12, "sign"),
       words ? svg("text", { class: "note", x: x + 9, y: middle + 4, text: words }) : "");
