@@ -439,7 +439,8 @@ function graphPane(app) {
     const slant = r * 0.7;
     if (card.strong) body.push(svg("path", { class: "bar", d: `M${cx + slant} ${cy - slant}l5 -5M${cx - slant} ${cy + slant}l-5 5` }));
     // Below its own ring, and not above: there the id of the one before stands.
-    if (isOpen) body.push(svg("text", { class: "gid", x: cx, y: y + h + 14, "text-anchor": "middle", text: card.id + (card.strong ? ": never" : "") }));
+    if (isOpen) body.push(svg("text", { class: "gid", x: cx, y: y + h + 14, "text-anchor": "middle", text: card.id }));
+    if (isOpen && card.strong) body.push(svg("text", { class: "gid", x: cx, y: y + h + 25, "text-anchor": "middle", text: "never" }));
     const number = numberOf(card);
     return item(card, rect, body, (t) => {
       const value = number === undefined ? 0 : log.sureAt(number, t) ?? 0;
