@@ -5,6 +5,7 @@
 #include "engine/query/describe.h"
 #include "engine/query/model_history.h"
 #include "viewer/draw/marks.h"
+#include "viewer/draw/story.h"
 #include "viewer/draw/text_fit.h"
 
 namespace aerascope {
@@ -123,7 +124,7 @@ class Drawer {
     const EdgePath& path = form.edges[index];
     if (edge.kind == EdgeKind::kDerived) return DrawDerivation(band, form, index, open, top);
     const ModelId by = edge.kind == EdgeKind::kEnables ? band.cards[edge.from].model : ModelId{};
-    const bool veto = IsVeto(by);
+    const bool veto = IsVeto(run_, by);
     std::string classes = veto ? "d-link d-veto" : "d-link";
     if (const ModelRecord* record = now_.Find(by); record != nullptr && record->state == ModelState::kDeleted)
       classes += " d-gone";
@@ -136,12 +137,6 @@ class Drawer {
     } else if (band.cards[edge.to].kind != CardKind::kRequirement) {
       DrawArrowHead(svg_, tip);
     }
-  }
-
-  // Whether the model is a requirement under which what it speaks about will not work.
-  bool IsVeto(ModelId id) const {
-    const ModelRecord* requirement = final_.Find(id);
-    return requirement != nullptr && KindOf(requirement->model) == ModelKind::kStrongRequirement;
   }
 
   void DrawDerivation(const TriadBand& band, const BandForm& form, std::size_t index, bool open, int top) {
@@ -370,7 +365,7 @@ class Drawer {
 
   void DrawRequirement(ModelId id, const Rect& square, bool open) {
     const ModelRecord* record = now_.Find(id);
-    const bool veto = IsVeto(id);
+    const bool veto = IsVeto(run_, id);
     DrawRing(svg_, square, record->evidence.rate(), veto);
     const Point centre = square.centre();
     if (veto) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "engine/query/describe.h"
 #include "engine/query/episode_summary.h"
@@ -11,35 +10,17 @@
 namespace aerascope {
 namespace {
 
-constexpr std::size_t kKinds = 4;  // without the start
-constexpr std::array<double, kKinds> kWeights = {6, 4, 4, 3.5};
-// How much less each further one of a kind weighs.
-constexpr std::array<double, kKinds> kWear = {0.2, 0.5, 1, 1};
+// How telling the first of a kind is, and how much less each further one weighs: a failure and what was made
+// of it before what was reached, that before an analogy, that before a first lesson; repeats last.
+constexpr std::array<double, kMomentKinds> kWeights = {7, 6, 4, 4, 4.5, 3.5, 1.2};
+constexpr std::array<double, kMomentKinds> kWear = {0.25, 0.2, 0.5, 1, 1, 1, 0.5};
 
-// All candidates, one a frame (what happens in one frame is seen on one picture): the weightiest kind, and of
-// that the first event.
 std::vector<KeyMoment> Candidates(const Run& run, const EpisodeSummary& summary) {
-  std::map<std::size_t, KeyMoment> by_frame;
-  const auto add = [&](Time at, MomentKind kind, EventId event) {
-    const std::optional<std::size_t> frame = run.FrameAt(at);
-    if (frame) at = run.frames()[*frame].interval.after;
-    const auto [found, fresh] = by_frame.emplace(frame.value_or(0), KeyMoment{at, kind, event, ""});
-    if (!fresh && kind < found->second.kind) found->second = {at, kind, event, ""};
-  };
-  for (const DriveOutcome& drive : summary.drives) {
-    if (drive.outcome == Outcome::kReached) add(drive.until, MomentKind::kGoalReached, drive.outcome_event);
-    if (drive.outcome == Outcome::kFailed) add(drive.until, MomentKind::kGoalFailed, drive.outcome_event);
-  }
-  for (const AnalogyOfRun& analogy : summary.analogies) {
-    if (analogy.made_knowledge) add(analogy.time, MomentKind::kAnalogy, analogy.event);
-  }
-  for (const ModelId id : summary.learned) {
-    const ModelRecord* record = run.final_knowledge().Find(id);
-    if (record != nullptr && record->origin != Origin::kAnalogy)
-      add(record->created, MomentKind::kLearned, record->event);
-  }
   std::vector<KeyMoment> candidates;
-  for (auto& [frame, moment] : by_frame) candidates.push_back(std::move(moment));
+  for (StoryMoment& moment : StoryOf(run, summary)) {
+    candidates.push_back(
+        {run.frames()[moment.frame].interval.after, moment.kind, moment.event, std::move(moment.sentences)});
+  }
   return candidates;
 }
 
@@ -55,7 +36,7 @@ class Picker {
   bool Pick() {
     std::size_t best = candidates_.size();
     double best_weight = 0;
-    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    for (std::size_t kind = 0; kind < kMomentKinds; ++kind) {
       const std::size_t next = Farthest(static_cast<MomentKind>(kind));
       const double weight = kWeights[kind] / (1 + kWear[kind] * count_[kind]);
       if (next == candidates_.size() || weight <= best_weight) continue;
@@ -94,35 +75,35 @@ class Picker {
   const std::vector<KeyMoment>& candidates_;
   std::vector<bool> picked_;
   std::vector<std::int64_t> distance_;  // to the nearest one of its kind that is picked
-  std::array<double, kKinds> count_ = {};
+  std::array<double, kMomentKinds> count_ = {};
 };
 
-std::string CaptionOf(const Run& run, const KeyMoment& moment) {
-  if (const Event* event = run.Find(moment.event)) return InPrint(SentenceOf(run, *event));
-  const std::optional<std::size_t> frame = run.FrameAt(moment.at);
-  return frame ? InPrint(SentenceOfFrame(run, *frame)) : "";
+// A frame of which there is nothing telling to say.
+KeyMoment Plain(const Run& run, Time at) {
+  KeyMoment moment{at, MomentKind::kStart, {}, {}};
+  if (const std::optional<std::size_t> frame = run.FrameAt(at))
+    moment.sentences.push_back(InPrint(SentenceOfFrame(run, *frame)));
+  return moment;
 }
 
 std::vector<KeyMoment> FirstAndLastFrame(const Run& run, std::size_t max) {
   std::vector<KeyMoment> moments;
   if (run.frames().empty() || max == 0) return moments;
-  moments.push_back({run.frames().front().interval.after, MomentKind::kStart, {}, ""});
-  if (run.frames().size() > 1 && max > 1) {
-    moments.push_back({run.frames().back().interval.after, MomentKind::kStart, {}, ""});
-  }
+  moments.push_back(Plain(run, run.frames().front().interval.after));
+  if (run.frames().size() > 1 && max > 1) moments.push_back(Plain(run, run.frames().back().interval.after));
   return moments;
 }
 
 }  // namespace
 
-std::vector<KeyMoment> KeyMomentsOf(const Run& run, std::size_t max) {
+KeyStory KeyMomentsOf(const Run& run, std::size_t max) {
   const std::vector<KeyMoment> candidates = Candidates(run, Summarise(run));
   Picker picker(candidates);
   for (std::size_t n = 0; n < max && picker.Pick(); ++n) {
   }
-  std::vector<KeyMoment> moments = candidates.empty() ? FirstAndLastFrame(run, max) : picker.Picked();
-  for (KeyMoment& moment : moments) moment.caption = CaptionOf(run, moment);
-  return moments;
+  KeyStory story{candidates.empty() ? FirstAndLastFrame(run, max) : picker.Picked(), 0};
+  if (!candidates.empty()) story.left_out = candidates.size() - story.moments.size();
+  return story;
 }
 
 std::vector<KeyMoment> MomentsAt(const Run& run, const std::vector<Time>& times) {
@@ -132,16 +113,23 @@ std::vector<KeyMoment> MomentsAt(const Run& run, const std::vector<Time>& times)
     const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const KeyMoment& candidate) {
       return run.FrameAt(candidate.at) == run.FrameAt(at);
     });
-    moments.push_back(found != candidates.end() ? *found : KeyMoment{at, MomentKind::kStart, {}, ""});
+    moments.push_back(found != candidates.end() ? *found : Plain(run, at));
     moments.back().at = at;
-    moments.back().caption = CaptionOf(run, moments.back());
   }
   return moments;
 }
 
 std::vector<Time> KeyMoments(const Run& run, std::size_t max) {
   std::vector<Time> times;
-  for (const KeyMoment& moment : KeyMomentsOf(run, max)) times.push_back(moment.at);
+  for (const KeyMoment& moment : KeyMomentsOf(run, max).moments) times.push_back(moment.at);
+  // A single picture shows no course of things.
+  std::vector<Time> ends;
+  if (!run.frames().empty()) ends = {run.frames().back().interval.after, run.frames().front().interval.after};
+  for (const Time end : ends) {
+    if (times.size() >= std::min(max, kLeastPictures)) break;
+    if (std::find(times.begin(), times.end(), end) == times.end()) times.push_back(end);
+  }
+  std::sort(times.begin(), times.end());
   return times;
 }
 

@@ -7,6 +7,7 @@
 #include "viewer/draw/curves.h"
 #include "viewer/draw/lane_bars.h"
 #include "viewer/draw/marks.h"
+#include "viewer/draw/story.h"
 #include "viewer/draw/text_fit.h"
 #include "viewer/draw/time_scale.h"
 
@@ -31,6 +32,7 @@ struct Bar {
 struct Sign {
   Time at;
   std::string text;
+  std::string vetoed;  // of a veto, what it is against
 };
 
 class Lanes {
@@ -126,9 +128,28 @@ class Lanes {
     for (const ModelId id : summary_.learned) {
       const ModelRecord* record = run_.final_knowledge().Find(id);
       if (record == nullptr || (record->origin == Origin::kAnalogy) != by_analogy) continue;
-      signs.push_back({record->created, TitleOf(run_.final_knowledge(), id)});
+      signs.push_back({record->created, TitleOf(run_.final_knowledge(), id), VetoedBy(id)});
     }
-    return signs;
+    return TogetherByVeto(signs);
+  }
+  std::string VetoedBy(ModelId id) const { return IsVeto(run_, id) ? WhatIsVetoed(run_, id) : ""; }
+
+  // A failure may leave many vetoes against one thing, which differ in their conditions: one sign for all of
+  // them.
+  static std::vector<Sign> TogetherByVeto(const std::vector<Sign>& signs) {
+    std::vector<Sign> together;
+    std::vector<int> counts;
+    for (const Sign& sign : signs) {
+      if (!together.empty() && !sign.vetoed.empty() && together.back().at == sign.at &&
+          together.back().vetoed == sign.vetoed) {
+        ++counts.back();
+        together.back().text = std::to_string(counts.back()) + " vetoes: " + sign.vetoed;
+        continue;
+      }
+      together.push_back(sign);
+      counts.push_back(1);
+    }
+    return together;
   }
 
   void Label(const std::string& text, std::size_t rows) {

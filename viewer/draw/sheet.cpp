@@ -25,9 +25,14 @@ constexpr int kMargin = 48;
 constexpr int kRight = kSheetWidth - kMargin;
 constexpr int kContentWidth = kSheetWidth - 2 * kMargin;
 constexpr int kHeadHeight = 136;
-constexpr int kCaptionHeight = 66;
+constexpr std::size_t kCaptionLines = 4;
+constexpr int kCaptionLineHeight = 19;
+constexpr int kRowGap = 28;               // under the captions of a row of pictures
+constexpr std::size_t kTextMoments = 12;  // told where no pictures are
 constexpr int kGraphWidth = 860;
 constexpr int kCurvesLeft = 968;
+constexpr std::size_t kFramesInRow = 3;
+constexpr int kGap = (kContentWidth - 3 * kSheetFrameWidth) / 2;  // between pictures
 constexpr int kFullGraphHeight = 560;  // bands are opened as long as the graph stays below, in its own pixels
 constexpr int kLongestGraph = 1500;    // bands beyond are counted, not drawn
 constexpr std::size_t kRowsOnPaper = 10;
@@ -105,54 +110,87 @@ class Sheet {
 
   Status DrawFrames() {
     std::vector<Time> times;
-    for (const SheetFrame& frame : frames_.frames) times.push_back(frame.at);
-    const std::vector<KeyMoment> moments = MomentsAt(run_, times);
-    constexpr int kGap = (kContentWidth - 3 * kSheetFrameWidth) / 2;
     const std::size_t count = std::min(frames_.frames.size(), kSheetFrames);
-    for (std::size_t i = 0; i < count; ++i) {
-      const SheetFrame& frame = frames_.frames[i];
-      const Rect place{kMargin + static_cast<int>(i % 3) * (kSheetFrameWidth + kGap),
-                       y_ + static_cast<int>(i / 3) * (kSheetFrameHeight + kCaptionHeight), kSheetFrameWidth,
-                       kSheetFrameHeight};
-      const std::string& caption = moments[i].caption;
-      if (Status drawn = DrawStill(svg_, frame, place, caption, LightTheme()); !drawn) return drawn;
-      DrawCaption(frame.at, caption, place);
+    for (std::size_t i = 0; i < count; ++i) times.push_back(frames_.frames[i].at);
+    const std::vector<KeyMoment> moments = MomentsAt(run_, times);
+    for (std::size_t i = 0; i < count; i += kFramesInRow) {
+      int bottom = y_;
+      for (std::size_t k = i; k < std::min(count, i + kFramesInRow); ++k) {
+        const Rect place{kMargin + static_cast<int>(k - i) * (kSheetFrameWidth + kGap), y_, kSheetFrameWidth,
+                         kSheetFrameHeight};
+        auto end = DrawFrame(frames_.frames[k], moments[k], place);
+        if (!end) return end.error();
+        bottom = std::max(bottom, *end);
+      }
+      y_ = bottom + kRowGap;
     }
-    y_ += static_cast<int>((count + 2) / 3) * (kSheetFrameHeight + kCaptionHeight);
+    const auto shown =
+        static_cast<std::size_t>(std::count_if(moments.begin(), moments.end(), [](const KeyMoment& moment) {
+          return moment.kind != MomentKind::kStart;
+        }));
+    const std::size_t told = KeyMomentsOf(run_, 0).left_out;
+    NoteLeftOut(told - std::min(told, shown));
+    // Few pictures leave room for the course of things.
+    if (count <= kFramesInRow) {
+      y_ += 18;
+      DrawLanesHere("");
+    }
     return Ok();
   }
 
-  void DrawCaption(Time at, const std::string& caption, const Rect& place) {
-    const std::string time = SecondsText(at);
+  // Returns where its caption ends.
+  Result<int> DrawFrame(const SheetFrame& frame, const KeyMoment& moment, const Rect& place) {
+    const std::string time = SecondsText(frame.at);
     const int indent = TextWidth(time, 15, TextWeight::kBold) + 10;
+    const std::string caption = FitSentences(moment.sentences, place.width - indent, 14, kCaptionLines);
+    if (Status drawn = DrawStill(svg_, frame, place, caption, LightTheme()); !drawn) return drawn.error();
     int base_line = place.bottom() + 23;
     svg_.Text(place.x, base_line, time, {"d-b", 15});
-    for (const std::string& line : WrapText(caption, place.width - indent, 14, 2)) {
+    for (const std::string& line : WrapText(caption, place.width - indent, 14, kCaptionLines)) {
       svg_.Text(place.x + indent, base_line, line, {"d-2", 14});
-      base_line += 19;
+      base_line += kCaptionLineHeight;
     }
+    return base_line - kCaptionLineHeight;
+  }
+
+  void NoteLeftOut(std::size_t moments) {
+    if (moments == 0) return;
+    svg_.Text(kMargin, y_,
+              "Left out here: " + Plural(moments, "less telling moment", "less telling moments") +
+                  "; the report has all.",
+              {"d-3", 13});
+    y_ += 28;
   }
 
   void DrawLanesInsteadOfFrames() {
-    Heading(kMargin, y_ + 18, "What happened");
-    const std::string note = frames_.note.empty() ? "No pictures were made for this sheet." : frames_.note;
-    svg_.Text(kRight, y_ + 18, FitText(note, 900, 13), {"d-3", 13, TextAnchor::kEnd});
-    constexpr double kScale = 1;
-    svg_.Open("g", {{"transform", "translate(" + std::to_string(kMargin) + " " + std::to_string(y_ + 40) +
-                                      ") scale(" + SvgNumber(kScale) + ")"}});
-    const int height = DrawLanes(svg_, run_, summary_, static_cast<int>(kContentWidth / kScale));
-    svg_.Close();
-    y_ += 40 + static_cast<int>(height * kScale) + 36;
+    DrawLanesHere(frames_.note.empty() ? "No pictures were made for this sheet." : frames_.note);
     DrawSentences();
+  }
+
+  void DrawLanesHere(const std::string& note) {
+    Heading(kMargin, y_ + 18, "What happened");
+    svg_.Text(kRight, y_ + 18, FitText(note, 900, 13), {"d-3", 13, TextAnchor::kEnd});
+    svg_.Open("g",
+              {{"transform", "translate(" + std::to_string(kMargin) + " " + std::to_string(y_ + 40) + ")"}});
+    const int height = DrawLanes(svg_, run_, summary_, kContentWidth);
+    svg_.Close();
+    y_ += 40 + height + 36;
   }
 
   // Where no picture tells the story, the captions do.
   void DrawSentences() {
-    for (const KeyMoment& moment : KeyMomentsOf(run_, kSheetFrames)) {
+    constexpr int kIndent = 70;
+    const KeyStory story = KeyMomentsOf(run_, kTextMoments);
+    for (const KeyMoment& moment : story.moments) {
       svg_.Text(kMargin, y_, SecondsText(moment.at), {"d-b", 15});
-      svg_.Text(kMargin + 70, y_, FitText(moment.caption, kContentWidth - 70, 14), {"d-2", 14});
-      y_ += 26;
+      const std::string text = FitSentences(moment.sentences, kContentWidth - kIndent, 14, 2);
+      for (const std::string& line : WrapText(text, kContentWidth - kIndent, 14, 2)) {
+        svg_.Text(kMargin + kIndent, y_, line, {"d-2", 14});
+        y_ += kCaptionLineHeight;
+      }
+      y_ += 7;
     }
+    NoteLeftOut(story.left_out);
     y_ += 10;
   }
 

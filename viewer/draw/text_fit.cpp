@@ -131,6 +131,16 @@ std::vector<std::string> WrapText(std::string_view text, int width, double size,
   return lines;
 }
 
+std::string FitSentences(const std::vector<std::string>& sentences, int width, double size,
+                         std::size_t max_lines) {
+  std::string text;
+  for (const std::string& sentence : sentences) {
+    const std::string longer = text.empty() ? sentence : text + " " + sentence;
+    if (text.empty() || WrapText(longer, width, size, max_lines + 1).size() <= max_lines) text = longer;
+  }
+  return text;
+}
+
 std::vector<TextRun> WithVariables(std::string_view text, const std::vector<std::string>& variables,
                                    const std::string& classes) {
   std::vector<TextRun> runs;

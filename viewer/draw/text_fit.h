@@ -26,6 +26,11 @@ std::string_view FirstLetter(std::string_view text);
 std::vector<std::string> WrapText(std::string_view text, int width, double size, std::size_t max_lines,
                                   TextWeight weight = TextWeight::kRegular);
 
+// As many of the sentences, whole and in their order, as WrapText has room for in these lines; the first
+// always.
+std::string FitSentences(const std::vector<std::string>& sentences, int width, double size,
+                         std::size_t max_lines);
+
 // The text in pieces, names of variables in italics. Names are found as whole words.
 std::vector<TextRun> WithVariables(std::string_view text, const std::vector<std::string>& variables,
                                    const std::string& classes = "");

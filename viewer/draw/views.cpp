@@ -126,12 +126,13 @@ std::string CurvesSvg(const Run& run, std::vector<ModelId> models, const Theme& 
 
 Result<std::string> MomentSvg(const Run& run, const SheetFrame& frame, const Theme& theme) {
   const std::vector<KeyMoment> moments = MomentsAt(run, {frame.at});
-  const std::string caption = moments.empty() ? "" : moments.front().caption;
   const Rect place{0, 0, kWidth, kWidth * 9 / 16};
   Svg svg;
-  if (Status drawn = DrawStill(svg, frame, place, caption, theme); !drawn) return drawn.error();
   const std::string time = SecondsText(frame.at);
   const int indent = TextWidth(time, 17, TextWeight::kBold) + 12;
+  const std::string caption =
+      moments.empty() ? "" : FitSentences(moments.front().sentences, kWidth - indent, 16, 3);
+  if (Status drawn = DrawStill(svg, frame, place, caption, theme); !drawn) return drawn.error();
   int y = place.height + 30;
   svg.Text(0, y, time, {"d-b", 17});
   for (const std::string& line : WrapText(caption, kWidth - indent, 16, 3)) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/base/text.h"
 #include "tests/viewer/draw/svg_check.h"
 
 namespace aerascope {
@@ -16,7 +17,7 @@ bool Has(const std::vector<KeyMoment>& moments, MomentKind kind) {
 }
 
 TEST(KeyMoments, ThePapersStoryHasALessonTheFirstAnalogyAndTheLastGoal) {
-  const std::vector<KeyMoment> moments = KeyMomentsOf(PaperRun(), 6);
+  const std::vector<KeyMoment> moments = KeyMomentsOf(PaperRun(), 6).moments;
 
   ASSERT_EQ(moments.size(), 6u);
   EXPECT_TRUE(Has(moments, MomentKind::kLearned));
@@ -25,19 +26,20 @@ TEST(KeyMoments, ThePapersStoryHasALessonTheFirstAnalogyAndTheLastGoal) {
   });
   ASSERT_NE(analogy, moments.end());
   EXPECT_EQ(analogy->at, Time{6'000'000});
-  EXPECT_NE(analogy->caption.find("3 of 4"), std::string::npos);
+  EXPECT_NE(Join(analogy->sentences, " ").find("3 of 4"), std::string::npos);
   EXPECT_EQ(moments.back().kind, MomentKind::kGoalReached);
-  EXPECT_NE(moments.back().caption.find("cyl"), std::string::npos);
+  EXPECT_NE(Join(moments.back().sentences, " ").find("cyl"), std::string::npos);
 }
 
 TEST(KeyMoments, AFailureIsNeverLeftOut) {
   PaperEpisodeOptions options;
   options.cylinder_slips = true;
 
-  const std::vector<KeyMoment> moments = KeyMomentsOf(PaperRun(options), 1);
+  const std::vector<KeyMoment> moments = KeyMomentsOf(PaperRun(options), 1).moments;
 
   ASSERT_EQ(moments.size(), 1u);
-  EXPECT_EQ(moments[0].kind, MomentKind::kGoalFailed);
+  EXPECT_EQ(moments[0].kind, MomentKind::kFailure);
+  EXPECT_NE(Join(moments[0].sentences, " ").find("Goal missed: h holding [cyl]."), std::string::npos);
 }
 
 TEST(KeyMoments, TheyAreInOrderAndAtDifferentTimes) {
@@ -63,7 +65,7 @@ TEST(KeyMoments, AnyTimeHasSomethingToSay) {
 
   ASSERT_EQ(moments.size(), 3u);
   EXPECT_EQ(moments[0].kind, MomentKind::kAnalogy);
-  for (const KeyMoment& moment : moments) EXPECT_NE(moment.caption, "");
+  for (const KeyMoment& moment : moments) EXPECT_FALSE(moment.sentences.empty());
 }
 
 }  // namespace

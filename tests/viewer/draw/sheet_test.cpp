@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "tests/support/slowness.h"
+#include "tests/viewer/draw/scenario_run.h"
 #include "tests/viewer/draw/svg_check.h"
 #include "viewer/draw/png.h"
 #include "viewer/draw/svg.h"
@@ -58,6 +59,44 @@ TEST(Sheet, WithoutPicturesItSaysSoAndShowsLanes) {
   EXPECT_EQ(CountOf(*svg, "<image "), 0u);
   EXPECT_NE(svg->find("There is no renderer here."), std::string::npos);
   EXPECT_NE(svg->find(">Commands<"), std::string::npos);
+}
+
+TEST(Sheet, WithoutPicturesTheStoryIsToldInSentences) {
+  // The turning points of this run were missing on its sheet.
+  const Result<std::string> svg = BuildSheetSvg(ScenarioRun("moving_ball.toml"), {});
+
+  ASSERT_TRUE(svg.ok());
+  EXPECT_NE(svg->find("Did not come true: b at 52; seen: b at 50. 5 vetoes learned from it"),
+            std::string::npos);
+  EXPECT_NE(svg->find("Phased out after failures: "), std::string::npos);
+  EXPECT_NE(svg->find("In use again: "), std::string::npos);
+  EXPECT_NE(svg->find("5 vetoes: B speed S, with a ball"), std::string::npos) << "one sign in the lanes";
+}
+
+TEST(Sheet, WhatHasNoRoomIsCounted) {
+  const aerascope::Run run = LongRun(100);
+
+  const Result<std::string> svg = BuildSheetSvg(run, {});
+
+  ASSERT_TRUE(svg.ok());
+  EXPECT_NE(svg->find("Left out here: 88 less telling moments; the report has all."), std::string::npos);
+}
+
+TEST(Sheet, FewPicturesLeaveRoomForTheLanes) {
+  // A run in which little happened had one picture, and half of the page was blank.
+  PaperEpisodeOptions options;
+  options.last_frame = 3;
+  const aerascope::Run run = PaperRun(options);
+  const SheetFrames frames = FramesFor(run, AnyPng());
+  ASSERT_EQ(frames.frames.size(), 3u) << "the last frame, too";
+
+  const Result<std::string> svg = BuildSheetSvg(run, frames);
+
+  ASSERT_TRUE(svg.ok());
+  EXPECT_NE(svg->find(">Commands<"), std::string::npos);
+  const Result<std::string> many = BuildSheetSvg(PaperRun(), FramesFor(PaperRun(), AnyPng()));
+  ASSERT_TRUE(many.ok());
+  EXPECT_EQ(many->find(">Commands<"), std::string::npos);
 }
 
 TEST(Sheet, APictureThatIsNoPngIsAnError) {

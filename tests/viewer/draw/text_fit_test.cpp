@@ -5,6 +5,8 @@
 
 #include <random>
 
+#include "engine/base/text.h"
+
 namespace aerascope {
 namespace {
 
@@ -87,6 +89,17 @@ TEST(TextFit, ConfidencesAreRoundedHalfUp) {
   EXPECT_EQ(TwoDecimals(0.001), "0.00");
   EXPECT_EQ(RingText(0.75), ".75");
   EXPECT_EQ(RingText(0.999), "1.0");
+}
+
+TEST(TextFit, SentencesAreWholeOrLeftOut) {
+  const std::vector<std::string> sentences = {"A short one.",
+                                              "One that is far too long for what is left there.", "The end."};
+  const int width = TextWidth("A short one. The end.", 14) + 4;
+
+  EXPECT_EQ(FitSentences(sentences, width, 14, 1), "A short one. The end.");
+  EXPECT_EQ(FitSentences(sentences, 10 * width, 14, 1), Join(sentences, " "));
+  EXPECT_EQ(FitSentences(sentences, 10, 14, 1), "A short one.") << "the first in any case";
+  EXPECT_EQ(FitSentences({}, width, 14, 1), "");
 }
 
 }  // namespace
