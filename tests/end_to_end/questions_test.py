@@ -252,6 +252,8 @@ class View(EndToEndTest):
                            (["--what", "graph", "--of", "mdl_99999"], "mdl_99999"),
                            (["--what", "graph", "--of", "#3"], "#3"), (["--what", "analogy", "--of", "mdl_15"], "mdl_15"),
                            (["--what", "goals", "--of", "mdl_204"], "--of is for graph, analogy"),
+                           (["--what", "lanes", "--depth", "2"], "--depth is for why, led-to"),
+                           (["--what", "why", "--of", "mdl_204", "--depth", "0"], "--depth"),
                            (["--what", "lanes", "--at", "1s"], "--at is for graph, moment"),
                            (["--what", "graph", "--camera", "side"], "--camera is for moment"),
                            (["--what", "graph", "--at", "99s"], "99s"), (["--what", "lanes", "--scale", "0"], "--scale")):

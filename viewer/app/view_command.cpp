@@ -10,7 +10,6 @@
 
 #include "engine/base/text.h"
 #include "engine/query/goal_tree.h"
-#include "engine/query/why.h"
 #include "viewer/app/commands.h"
 #include "viewer/app/file_output.h"
 #include "viewer/app/moment.h"
@@ -30,6 +29,7 @@ struct Options {
   std::string of;
   std::string at;
   std::string camera;
+  std::optional<int> depth;
   std::string output;
   bool dark = false;
   double scale = 2;
@@ -83,6 +83,7 @@ Status HasUseFor(const Options& options) {
   if (Status fine = only(options.of, "--of", {"graph", "analogy", "why", "led-to", "curves"}); !fine)
     return fine;
   if (Status fine = only(options.at, "--at", {"graph", "moment"}); !fine) return fine;
+  if (Status fine = only(options.depth ? "given" : "", "--depth", {"why", "led-to"}); !fine) return fine;
   return only(options.camera, "--camera", {"moment"});
 }
 
@@ -99,8 +100,8 @@ Result<std::string> Draw(const Run& run, const Options& options, const Asked& as
     auto event = EventMeant(run, asked.object);
     if (!event) return event.error();
     const bool why = options.what == "why";
-    return CauseTreeSvg(run, why ? Why(run, *event) : LedTo(run, *event),
-                        why ? CauseDirection::kWhy : CauseDirection::kLedTo, asked.theme);
+    return CauseTreeSvg(run, *event, why ? CauseDirection::kWhy : CauseDirection::kLedTo, asked.theme,
+                        options.depth);
   }
   ModelId chosen;
   if (asked.object) {
@@ -167,6 +168,11 @@ void AddViewCommand(CLI::App& app, Chosen* chosen) {
   command->add_option(
       "--at", options->at,
       "The moment of graph and moment: 3.2s, 700ms; default: the end, of moment the last frame");
+  command
+      ->add_option("--depth", options->depth,
+                   "Of why and led-to: how many steps to go from what is asked about; default: as far as the "
+                   "picture stays readable")
+      ->check(CLI::Range(1, 1000));
   command->add_option("--camera", options->camera, "Of moment: a camera, as in the report");
   command
       ->add_option("-o,--output", options->output,

@@ -66,59 +66,152 @@ void DrawBox(Svg& svg, const TextBox& box, const Rect& rect) {
   svg.Close();
 }
 
-std::string Finish(const GraphToPlace& graph, const std::vector<TextBox>& boxes, std::size_t left_out,
+std::string Finish(const GraphToPlace& graph, const std::vector<TextBox>& boxes, const std::string& note,
                    std::string_view title, const Theme& theme) {
   const PlacedGraph placed = PlaceGraph(graph);
   Svg svg;
   Size size = placed.size;
-  size.width = std::max(size.width, kBoxWidth);
+  size.width = std::max({size.width, kBoxWidth, TextWidth(note, 12) + 16});
   svg.Leaf("rect", {{"width", size.width},
-                    {"height", size.height + (left_out > 0 ? kNoteHeight : 0)},
+                    {"height", size.height + (!note.empty() ? kNoteHeight : 0)},
                     {"class", "d-page"}});
   for (const PlacedLink& link : placed.links) {
     svg.Path(CurveData(link.curve), "d-link");
     DrawArrowHead(svg, link.curve.back());
   }
   for (std::size_t i = 0; i < boxes.size(); ++i) DrawBox(svg, boxes[i], placed.nodes[i]);
-  if (left_out > 0) {
-    svg.Text(8, size.height + 14, std::to_string(left_out) + " more are not drawn.", {"d-3"});
+  if (!note.empty()) {
+    svg.Text(8, size.height + 14, note, {"d-3"});
     size.height += kNoteHeight;
   }
   return SvgDocument(size, title, DrawingStyle(theme), svg.content());
 }
 
+// The events that a cause tree speaks of, each once, the nearest first, with all links between them.
+class CauseGraph {
+ public:
+  CauseGraph(const Run& run, EventId root, CauseDirection direction)
+      : run_(run), why_(direction == CauseDirection::kWhy) {
+    // As far as anybody will count.
+    constexpr CauseLimits kLimits{.depth = 1000, .nodes = 20'000};
+    const CauseTree tree = why_ ? Why(run, root, kLimits) : LedTo(run, root, kLimits);
+    cut_ = tree.cut;
+    for (const CauseNode& node : tree.nodes) {
+      const auto [found, fresh] = steps_.emplace(node.event, node.depth);
+      if (!fresh) found->second = std::min(found->second, node.depth);
+      if (node.depth == 0) continue;
+      const EventId parent = tree.nodes[node.parent].event;
+      links_.emplace(why_ ? node.event : parent, why_ ? parent : node.event);
+    }
+    for (const auto& [event, steps] : steps_) farthest_ = std::max(farthest_, steps);
+  }
+
+  // Steps from the root, by event.
+  const std::map<EventId, int>& steps() const { return steps_; }
+  // From cause to effect.
+  const std::set<std::pair<EventId, EventId>>& links() const { return links_; }
+  int farthest() const { return farthest_; }
+  bool cut() const { return cut_; }  // there is more than could be counted
+
+  // The nearest events up to a number of steps, at most so many. None without what joins it to the root.
+  std::vector<EventId> Within(int depth, std::size_t most) const {
+    std::vector<EventId> chosen = NearestFirst();
+    std::erase_if(chosen, [&](EventId event) { return steps_.at(event) > depth; });
+    if (chosen.size() > most) chosen.resize(most);
+    return chosen;
+  }
+  // The nearest events that stand side by side on a page, behind nothing that has no room there.
+  std::vector<EventId> Readable() const {
+    constexpr std::size_t kMostTried = 10 * kReadableBoxes;
+    const std::vector<EventId> near = NearestFirst();
+    std::set<EventId> chosen;
+    for (std::size_t i = 0; i < near.size() && i < kMostTried && chosen.size() < kReadableBoxes; ++i) {
+      if (!chosen.empty() && !Joins(near[i], chosen)) continue;
+      chosen.insert(near[i]);
+      if (Columns(chosen) > kReadableColumns) chosen.erase(near[i]);
+    }
+    return {chosen.begin(), chosen.end()};
+  }
+
+ private:
+  std::vector<EventId> NearestFirst() const {
+    std::vector<EventId> events;
+    for (const auto& [event, steps] : steps_) events.push_back(event);
+    std::stable_sort(events.begin(), events.end(),
+                     [&](EventId a, EventId b) { return steps_.at(a) < steps_.at(b); });
+    return events;
+  }
+  bool Joins(EventId event, const std::set<EventId>& chosen) const {
+    const std::span<const EventId> nearer = why_ ? run_.Effects(event) : run_.Causes(event);
+    return std::any_of(nearer.begin(), nearer.end(), [&](EventId one) { return chosen.contains(one); });
+  }
+  // How many of the events stand behind each other. Causes come before their effects, so one pass in order is
+  // enough.
+  int Columns(const std::set<EventId>& events) const {
+    std::map<EventId, int> columns;
+    int most = 0;
+    for (const EventId event : events) {
+      int& column = columns[event];
+      for (const EventId cause : run_.Causes(event)) {
+        const auto before = columns.find(cause);
+        if (before != columns.end()) column = std::max(column, before->second);
+      }
+      most = std::max(most, ++column);
+    }
+    return most;
+  }
+
+  const Run& run_;
+  bool why_;
+  bool cut_ = false;
+  int farthest_ = 0;
+  std::map<EventId, int> steps_;
+  std::set<std::pair<EventId, EventId>> links_;
+};
+
+std::string Steps(int count) {
+  return std::to_string(count) + (count == 1 ? " step" : " steps");
+}
+
 }  // namespace
 
-std::string CauseTreeSvg(const Run& run, const CauseTree& tree, CauseDirection direction,
-                         const Theme& theme) {
+std::string CauseTreeSvg(const Run& run, EventId root, CauseDirection direction, const Theme& theme,
+                         std::optional<int> depth) {
+  const bool why = direction == CauseDirection::kWhy;
+  const CauseGraph causes(run, root, direction);
+  const std::vector<EventId> drawn = depth ? causes.Within(*depth, kMaxDrawnBoxes) : causes.Readable();
   GraphToPlace graph;
   std::vector<TextBox> boxes;
   std::map<EventId, std::size_t> box_of;
-  std::set<EventId> left_out;
-  for (const CauseNode& node : tree.nodes) {
-    if (box_of.contains(node.event)) continue;
-    const Event* event = run.Find(node.event);
-    if (event == nullptr || boxes.size() == kMaxDrawnBoxes) {
-      left_out.insert(node.event);
-      continue;
+  int farthest_drawn = 0;
+  for (const EventId id : drawn) {
+    const Event& event = *run.Find(id);
+    box_of[id] = boxes.size();
+    boxes.push_back(
+        MakeBox(IdText(id), SecondsText(event.time) + ", " + IdText(id), InPrint(SentenceOf(run, event))));
+    boxes.back().asked = id == root;
+    farthest_drawn = std::max(farthest_drawn, causes.steps().at(id));
+  }
+  std::set<std::size_t> go_on;  // boxes behind which something is left out
+  for (const auto& [cause, effect] : causes.links()) {
+    const auto from = box_of.find(cause);
+    const auto to = box_of.find(effect);
+    if (from != box_of.end() && to != box_of.end()) {
+      graph.links.push_back({from->second, to->second});
+    } else if (const auto known = why ? to : from; known != box_of.end()) {
+      go_on.insert(known->second);
     }
-    box_of[node.event] = boxes.size();
-    boxes.push_back(MakeBox(IdText(node.event), SecondsText(event->time) + ", " + IdText(node.event),
-                            SentenceOf(run, *event)));
-    boxes.back().asked = node.depth == 0;
-    graph.nodes.push_back(boxes.back().size());
   }
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    const CauseNode& node = tree.nodes[i];
-    if (node.parent == i || node.parent >= tree.nodes.size()) continue;
-    const auto from = box_of.find(node.event);
-    const auto to = box_of.find(tree.nodes[node.parent].event);
-    if (from == box_of.end() || to == box_of.end()) continue;
-    const bool why = direction == CauseDirection::kWhy;
-    graph.links.push_back(why ? GraphLink{from->second, to->second} : GraphLink{to->second, from->second});
+  for (const std::size_t box : go_on) boxes[box].notes.push_back("goes on");
+  for (const TextBox& box : boxes) graph.nodes.push_back(box.size());
+  const std::size_t left_out = causes.steps().size() - boxes.size();
+  std::string note;
+  if (left_out > 0) {
+    note = "Drawn: " + std::to_string(boxes.size()) + " events, up to " + Steps(farthest_drawn) +
+           " away. Left out: " + (causes.cut() ? "more than " : "") + std::to_string(left_out) +
+           " more, up to " + Steps(causes.farthest()) + " away.";
   }
-  return Finish(graph, boxes, left_out.size(), direction == CauseDirection::kWhy ? "Why" : "What it led to",
-                theme);
+  return Finish(graph, boxes, note, why ? "Why" : "What it led to", theme);
 }
 
 namespace {
@@ -155,7 +248,9 @@ std::string GoalTreeSvg(const Run& run, const GoalTree& tree, const Theme& theme
     graph.nodes.push_back(boxes.back().size());
     if (goal.parent != i && goal.parent < count) graph.links.push_back({goal.parent, i});
   }
-  return Finish(graph, boxes, tree.goals.size() - count, "What was wanted", theme);
+  const std::size_t left_out = tree.goals.size() - count;
+  return Finish(graph, boxes, left_out > 0 ? std::to_string(left_out) + " more are not drawn." : "",
+                "What was wanted", theme);
 }
 
 }  // namespace aerascope

@@ -105,6 +105,12 @@ bool PlaceByGraphviz(const GraphToPlace& input, PlacedGraph& placed) {
     std::string name = "e" + std::to_string(i);
     Agedge_t* edge = agedge(graph, nodes[link.from], nodes[link.to], name.data(), 1);
     SetAttribute(edge, "arrowhead", "none");
+    // From the side that faces the next layer to the side that faces the last one. Left to itself, a steep
+    // link begins or ends above or below a node, where an arrow head that points along the layers lies under
+    // the node.
+    const bool across = input.direction == GraphDirection::kLeftRight;
+    SetAttribute(edge, "tailport", across ? "e" : "s");
+    SetAttribute(edge, "headport", across ? "w" : "n");
     links.emplace_back(i, edge);
   }
   if (!graphviz.LayOut()) return false;
@@ -131,8 +137,9 @@ bool PlaceByGraphviz(const GraphToPlace& input, PlacedGraph& placed) {
     const bezier& curve = course->list[0];
     for (int p = 0; p < curve.size; ++p) link.curve.push_back(at(curve.list[p]));
     const Rect& from = placed.nodes[input.links[index].from];
-    const auto distance = [&from](Point point) {
-      return std::abs(point.x - from.centre().x) + std::abs(point.y - from.centre().y);
+    const Point begin = turn ? Point{from.centre().x, from.bottom()} : Point{from.right(), from.centre().y};
+    const auto distance = [&begin](Point point) {
+      return std::abs(point.x - begin.x) + std::abs(point.y - begin.y);
     };
     if (!link.curve.empty() && distance(link.curve.back()) < distance(link.curve.front())) {
       std::reverse(link.curve.begin(), link.curve.end());

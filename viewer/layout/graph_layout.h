@@ -34,7 +34,9 @@ struct GraphToPlace {
 
 struct PlacedLink {
   std::size_t link = 0;      // position in GraphToPlace::links
-  std::vector<Point> curve;  // control points of joined cubic curves: 1 + 3n points
+  // Control points of joined cubic curves: 1 + 3n points, from the middle of the side of its first node that faces
+  // the next layer to the middle of the opposite side of its last node.
+  std::vector<Point> curve;
 };
 
 struct PlacedGraph {

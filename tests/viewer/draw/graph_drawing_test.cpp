@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "engine/query/goal_tree.h"
 #include "engine/query/why.h"
+#include "tests/viewer/draw/scenario_run.h"
 #include "tests/viewer/draw/svg_check.h"
 #include "viewer/draw/tree_drawing.h"
 
@@ -96,11 +99,10 @@ TEST(GraphDrawing, EverySvgIsWellFormedAlsoWithHostileNames) {
   EventId reached;
   for (const EventId id : run.OfKind<GoalAchieved>()) reached = id;
 
-  for (const std::string& svg :
-       {ModelGraphSvg(run, LayOutKnowledge(run), view, DarkTheme()),
-        CauseTreeSvg(run, Why(run, reached), CauseDirection::kWhy, LightTheme()),
-        CauseTreeSvg(run, LedTo(run, EventId{1}), CauseDirection::kLedTo, LightTheme()),
-        GoalTreeSvg(run, MakeGoalTree(run), LightTheme())}) {
+  for (const std::string& svg : {ModelGraphSvg(run, LayOutKnowledge(run), view, DarkTheme()),
+                                 CauseTreeSvg(run, reached, CauseDirection::kWhy, LightTheme()),
+                                 CauseTreeSvg(run, EventId{1}, CauseDirection::kLedTo, LightTheme()),
+                                 GoalTreeSvg(run, MakeGoalTree(run), LightTheme())}) {
     const std::string said = WhatXmllintSays(svg);
     if (said == kNoXmllint) GTEST_SKIP() << said;
     EXPECT_EQ(said, "");
@@ -111,12 +113,47 @@ TEST(GraphDrawing, EverySvgIsWellFormedAlsoWithHostileNames) {
 TEST(GraphDrawing, ACauseTreeHasABoxForEachEventAndMarksTheOneAskedAbout) {
   const aerascope::Run run = PaperRun();
   const EventId reached = run.OfKind<GoalAchieved>().front();
-  const CauseTree tree = Why(run, reached);
+  std::set<EventId> causes;
+  for (const CauseNode& node : Why(run, reached).nodes) causes.insert(node.event);
 
-  const std::string svg = CauseTreeSvg(run, tree, CauseDirection::kWhy, LightTheme());
+  const std::string svg = CauseTreeSvg(run, reached, CauseDirection::kWhy, LightTheme(), 12);
 
-  EXPECT_EQ(CountOf(svg, "data-id=\"#"), tree.nodes.size());
+  EXPECT_EQ(CountOf(svg, "data-id=\"#"), causes.size());
   EXPECT_EQ(CountOf(svg, "class=\"d-card d-chosen\""), 1u);
+  EXPECT_EQ(svg.find("Left out"), std::string::npos);
+  EXPECT_EQ(svg.find("goes on"), std::string::npos);
+}
+
+TEST(GraphDrawing, ACauseTreeStaysReadableAndSaysWhatItLeavesOut) {
+  // What an analogy led to was a picture of 7744 pixels, which nobody could read.
+  const aerascope::Run run = ScenarioRun("size_pruned_first_scripted.toml");
+  EventId made;
+  for (const EventId id : run.OfKind<AnalogyCompared>()) {
+    const auto& compared = *run.FindBody<AnalogyCompared>(id);
+    if (compared.verdict == AnalogyVerdict::kAccepted) made = run.CreationOf(compared.result_requirement);
+  }
+  ASSERT_TRUE(made.valid());
+
+  const std::string svg = CauseTreeSvg(run, made, CauseDirection::kLedTo, LightTheme());
+
+  int width = 0;
+  ASSERT_EQ(std::sscanf(svg.c_str() + svg.find(" width="), " width=\"%d", &width), 1);
+  EXPECT_LE(width, 1800);
+  EXPECT_LE(CountOf(svg, "data-id=\"#"), kReadableBoxes);
+  EXPECT_NE(svg.find("Left out: "), std::string::npos);
+  EXPECT_NE(svg.find(">goes on<"), std::string::npos);
+}
+
+TEST(GraphDrawing, ACauseTreeGoesAsFarAsIsAsked) {
+  const aerascope::Run run = PaperRun();
+  const EventId compared = run.OfKind<AnalogyCompared>().front();
+
+  const std::string one = CauseTreeSvg(run, compared, CauseDirection::kWhy, LightTheme(), 1);
+
+  EXPECT_EQ(CountOf(one, "data-id=\"#"), 1 + run.Causes(compared).size());
+  EXPECT_GT(CountOf(CauseTreeSvg(run, compared, CauseDirection::kWhy, LightTheme(), 2), "data-id=\"#"),
+            CountOf(one, "data-id=\"#"));
+  EXPECT_NE(one.find("events, up to 1 step away. Left out: "), std::string::npos);
 }
 
 TEST(GraphDrawing, AGoalTreeSaysWhichPlansWereChosenAndMarksTheirWay) {
@@ -126,7 +163,8 @@ TEST(GraphDrawing, AGoalTreeSaysWhichPlansWereChosenAndMarksTheirWay) {
 
   const std::string svg = GoalTreeSvg(run, tree, LightTheme());
 
-  // then each plan stands in the goal it was made for, and the goals it went through are marked, with all above them.
+  // then each plan stands in the goal it was made for, and the goals it went through are marked, with all
+  // above them.
   EXPECT_EQ(CountOf(svg, ">chosen, "), run.OfKind<PlanCommitted>().size());
   EXPECT_GE(CountOf(svg, "class=\"d-card d-chosen\""), 2u);
 }
@@ -134,10 +172,12 @@ TEST(GraphDrawing, AGoalTreeSaysWhichPlansWereChosenAndMarksTheirWay) {
 TEST(GraphDrawing, TreesBeyondTheLimitSayWhatIsLeftOut) {
   const aerascope::Run run = LongRun(400);
 
-  const std::string svg = CauseTreeSvg(run, LedTo(run, EventId{1}), CauseDirection::kLedTo, LightTheme());
+  const std::string svg = CauseTreeSvg(run, EventId{1}, CauseDirection::kLedTo, LightTheme(), 3);
 
   EXPECT_EQ(CountOf(svg, "data-id=\"#"), kMaxDrawnBoxes);
-  EXPECT_NE(svg.find("more are not drawn."), std::string::npos);
+  EXPECT_NE(svg.find("Drawn: 400 events"), std::string::npos);
+  EXPECT_EQ(CountOf(CauseTreeSvg(run, EventId{1}, CauseDirection::kLedTo, LightTheme()), "data-id=\"#"),
+            kReadableBoxes);
 }
 
 // The drawing of one triad, small enough to be read.

@@ -56,6 +56,31 @@ TEST(GraphLayout, TopDownPutsEffectsBelowCauses) {
   }
 }
 
+TEST(GraphLayout, LinksLeaveAndEnterNodesByTheSidesThatFaceEachOther) {
+  // Steep links ended above or below a node, and the node covered half of the arrow head.
+  GraphToPlace graph = Tree(12);
+  for (std::size_t i = 2; i < 12; ++i) graph.links.push_back({0, i});  // long and steep ones
+  graph.nodes[4].height = 150;
+  for (const GraphDirection direction : {GraphDirection::kLeftRight, GraphDirection::kTopDown}) {
+    graph.direction = direction;
+    for (const PlacedGraph& placed : {PlaceGraph(graph), PlaceLayered(graph)}) {
+      ASSERT_EQ(placed.links.size(), graph.links.size());
+      for (const PlacedLink& link : placed.links) {
+        const Rect& from = placed.nodes[graph.links[link.link].from];
+        const Rect& to = placed.nodes[graph.links[link.link].to];
+        const bool across = direction == GraphDirection::kLeftRight;
+        EXPECT_NEAR(across ? link.curve.front().x : link.curve.front().y,
+                    across ? from.right() : from.bottom(), 2);
+        EXPECT_NEAR(across ? link.curve.front().y : link.curve.front().x,
+                    across ? from.centre().y : from.centre().x, 2);
+        EXPECT_NEAR(across ? link.curve.back().x : link.curve.back().y, across ? to.x : to.y, 2);
+        EXPECT_NEAR(across ? link.curve.back().y : link.curve.back().x,
+                    across ? to.centre().y : to.centre().x, 2);
+      }
+    }
+  }
+}
+
 TEST(GraphLayout, TheSameGraphIsPlacedTheSameEachTime) {
   const GraphToPlace tree = Tree(60);
   const PlacedGraph first = PlaceGraph(tree);
