@@ -260,7 +260,7 @@ std::string EndingText(const std::optional<DriveEnding>& ending) {
     case Outcome::kReached:
       return "reached at " + SecondsText(ending->until);
     case Outcome::kFailed:
-      return "failed at " + SecondsText(ending->until);
+      return "missed at " + SecondsText(ending->until);
   }
   return {};
 }

@@ -70,7 +70,7 @@ struct RunDiff {
 
 RunDiff DiffRuns(const RunUpTo& left, const RunUpTo& right);
 
-// "reached at 9 s", "failed at 12 s", "open", "not set": of a drive on one side.
+// "reached at 9 s", "missed at 12 s", "open", "not set": of a drive on one side.
 std::string EndingText(const std::optional<DriveEnding>& ending);
 // What differs, a sentence each: settings, files (without their lines), the parting, drives that ended
 // differently.

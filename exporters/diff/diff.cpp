@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "engine/base/text.h"
+#include "engine/query/describe.h"
 #include "exporters/escape/escape.h"
 
 namespace aerascope {
@@ -155,6 +156,12 @@ Json JsonOf(const std::optional<StoryStep>& step) {
   return {{"event", step->event.value}, {"time_us", step->time.us}, {"sentence", step->sentence}};
 }
 
+// What programs read keeps its words, whatever people are told.
+std::string StableEnding(const std::optional<DriveEnding>& ending) {
+  const bool missed = ending && ending->outcome == Outcome::kFailed;
+  return missed ? "failed at " + SecondsText(ending->until) : EndingText(ending);
+}
+
 Json JsonOf(const RunDiff& runs) {
   Json json = {
       {"settings", Json::array()}, {"files", Json::array()}, {"parting", nullptr}, {"drives", Json::array()}};
@@ -178,7 +185,7 @@ Json JsonOf(const RunDiff& runs) {
   }
   for (const DriveDifference& drive : runs.drives)
     json["drives"].push_back(
-        {{"title", drive.title}, {"left", EndingText(drive.left)}, {"right", EndingText(drive.right)}});
+        {{"title", drive.title}, {"left", StableEnding(drive.left)}, {"right", StableEnding(drive.right)}});
   return json;
 }
 

@@ -35,7 +35,7 @@ test("a lesson less: the first screen says what is missing, why, and how it ende
   assert.equal(await page.locator("h1").textContent(), "A knows 5 pieces that B does not");
   assert.equal((await counts(page))["only in A"], 5);
   const ends = await page.locator("#ends").innerText();
-  assert.match(ends, /hold cyl\s+reached\s+1\.5 s\s+failed 2\.3 s/);
+  assert.match(ends, /hold cyl\s+reached\s+1\.5 s\s+missed 2\.3 s/);
   const inputs = await page.locator("#inputs").innerText();
   assert.match(inputs, /one lesson only/);
   assert.match(inputs, /After 13 common steps:\s+A\s+0\.41 s, #\d+: The teacher commands move \[h 5\]\.\s+B\s+0\.41 s, #\d+: Drive: hold s1\./);

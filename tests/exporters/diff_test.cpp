@@ -85,7 +85,8 @@ TEST(DiffTextTest, SaysWhatWentInDifferentlyAndWhereTheRunsPart) {
   runs.files = {{"scenario.toml", true, true, {{{true, 3, "size = 1"}, {false, 3, "size = 2"}}, 4}}};
   runs.parting = PartingOfRuns{7, StoryStep{{21}, Time{2'000'000}, "Goal reached: h holding [s1]."}, {}};
   runs.drives = {{"hold s1", DriveEnding{Outcome::kReached, Time{2'000'000}}, DriveEnding{}},
-                 {"hold s2", DriveEnding{}, DriveEnding{}}};
+                 {"hold s2", DriveEnding{}, DriveEnding{}},
+                 {"hold cyl", DriveEnding{Outcome::kFailed, Time{9'000'000}}, std::nullopt}};
   const KbDiffResult nothing;
   std::ostringstream text, json;
   ASSERT_TRUE(WriteDiffText({nothing, {"A", "B"}, runs}, text));
@@ -98,6 +99,7 @@ TEST(DiffTextTest, SaysWhatWentInDifferentlyAndWhereTheRunsPart) {
             "The stories part after 7 common steps: A has #21 at 2 s, Goal reached: h holding [s1]. B has no "
             "further step.\n"
             "Drive \"hold s1\": reached at 2 s in A, open in B.\n"
+            "Drive \"hold cyl\": missed at 9 s in A, not set in B.\n"
             "\n"
             "scenario.toml\n"
             "    A:3: size = 1\n"
@@ -109,7 +111,8 @@ TEST(DiffTextTest, SaysWhatWentInDifferentlyAndWhereTheRunsPart) {
   EXPECT_EQ(read["settings"][1]["left"], nullptr);
   EXPECT_EQ(read["files"][0]["lines_left_out"], 4);
   EXPECT_EQ(read["parting"]["left"]["event"], 21);
-  EXPECT_EQ(read["drives"].size(), 2u);
+  EXPECT_EQ(read["drives"].size(), 3u);
+  EXPECT_EQ(read["drives"][2]["left"], "failed at 9 s") << "programs that read it know this word";
 }
 
 TEST(DiffTextTest, NoDifferenceIsSaidInOneLine) {

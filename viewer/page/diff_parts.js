@@ -13,7 +13,7 @@ const NODE_WORDS = { composite_state: "composite state", causal_model: "causal m
 const ORIGIN_WORDS = { seed: "given", induction: "learned", prediction_failure: "learned from a failed prediction",
   goal_success: "learned from a goal that was reached", analogy: "made by analogy" };
 const STATE_WORDS = { active: "active", phased_out: "phased out", deleted: "given up" };
-const ENDINGS = [["", "open"], ["check", "reached"], ["cross", "failed"]];
+const ENDINGS = [["", "open"], ["check", "reached"], ["cross", "missed"]];
 
 // What kind of difference an item is.
 function kindOf(item) {

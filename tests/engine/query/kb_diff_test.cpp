@@ -177,6 +177,28 @@ TEST(KbDiffTest, OfAPairItIsSaidThatBothGaveItUp) {
   EXPECT_EQ(DiffKnowledge(a, Paper()).items.at(0).state(), ModelState::kActive);
 }
 
+TEST(KbDiffTest, StatesAndOriginsAreToldInTheWordsOfReports) {
+  // It said "state active and deleted", which no report does.
+  const KnowledgeBase a = Paper(3);
+  KnowledgeBase b;
+  for (const auto& [id, record] : a.composite_states()) b.AddCompositeState(record);
+  for (const auto& [id, record] : a.models()) {
+    ModelRecord other = record;
+    if (id == ModelId{42}) {
+      other.state = ModelState::kDeleted;
+      other.origin = Origin::kPredictionFailure;
+    }
+    b.AddModel(other);
+  }
+
+  const KbDiffResult difference = DiffKnowledge(a, b);
+
+  ASSERT_EQ(difference.items.size(), 1u);
+  const std::string told = SentenceOf(difference.items[0], "A", "B");
+  EXPECT_NE(told.find("state active and given up"), std::string::npos) << told;
+  EXPECT_NE(told.find("origin learned and learned from a failed prediction"), std::string::npos) << told;
+}
+
 TEST(KbDiffTest, AVetoIsToldToPreventItsEffect) {
   // Given a veto on one side: a requirement model turned to speak against its effect.
   const KnowledgeBase a = Without(Paper(), "grab_type_2 a large cube");

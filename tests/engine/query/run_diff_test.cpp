@@ -84,7 +84,7 @@ TEST(RunDiffTest, StoriesPartWhereTheOutcomeIsAnother) {
   EXPECT_GE(difference.parting->left->time, (Time{14'000'000}));
   EXPECT_EQ(difference.drives.back().left->outcome, Outcome::kReached);
   EXPECT_EQ(difference.drives.back().right->outcome, Outcome::kFailed);
-  EXPECT_THAT(SentencesOf(difference, "A", "B").back(), HasSubstr("failed at"));
+  EXPECT_THAT(SentencesOf(difference, "A", "B").back(), HasSubstr("missed at"));
 }
 
 TEST(RunDiffTest, WhatComesAfterTheMomentDoesNotCount) {
