@@ -123,7 +123,7 @@ class BadCommandLine(EndToEndTest):
         self.assert_refused("repotr", "x.episode", says=["did you mean 'report'?"])
         self.assert_refused("xyzzyplugh", says=["'xyzzyplugh'"])
 
-    def test_an_unknown_option(self):
+    def test_an_option_that_is_misspelt(self):
         self.assert_refused("run", "x.toml", "--otput", "y.episode", says=["'--otput'", "did you mean '--output'?", "aerascope run --help"])
         self.assert_refused("report", "x.episode", "--sieze=3x3", says=["'--sieze'", "did you mean '--size'?"])
         self.assert_refused("kb", "x.episode", "--plugh", says=["there is no option '--plugh'"])
@@ -150,6 +150,25 @@ class BadCommandLine(EndToEndTest):
             with self.subTest(seed=seed):
                 self.assert_refused("run", SCRIPTED, "-o", "x.episode", f"--seed={seed}", says=["--seed"])
                 self.assert_refused("trials", SCRIPTED, f"--first-seed={seed}", says=["--first-seed"])
+
+    def test_moments_between_which_nothing_can_lie(self):
+        # Nothing was printed, with status 0.
+        self.assert_refused("events", scripted_episode(), "--from", "1s", "--to", "0.5s", says=["--from 1s", "--to 0.5s", "earlier"])
+        at_one = self.run_program("events", scripted_episode(), "--from", "1s", "--to", "1s").out
+        self.assertRegex(at_one, r"\A1 s ")
+
+    def test_a_moment_that_is_empty(self):
+        # It was taken for the end.
+        episode = scripted_episode()
+        for command in (["kb", episode], ["frame", episode, "-o", "f.png"], ["view", episode, "--what", "graph", "-o", "v.svg"],
+                        ["export", episode, "--format", "dot"], ["snapshot", "test", episode, "x.snap"]):
+            with self.subTest(command=command[0]):
+                self.assert_refused(*command, "--at", "", says=["empty", "3.2s"])
+                self.assert_refused(*command, "--at=", says=["--at"])
+        self.assert_refused("diff", f"{episode}@", episode, says=["empty", "3.2s"])
+        for end in ("--from", "--to"):
+            self.assert_refused("events", episode, end, "", says=["empty", "3.2s"])
+        self.assert_refused("view", episode, "--what", "why", "--of", "", "-o", "v.svg", says=["mdl_14"])
 
     def test_help_is_there_for_every_command(self):
         for command in ("demo", "run", "trials", "report", "frame", "view", "kb", "events", "why", "diff", "export", "snapshot",

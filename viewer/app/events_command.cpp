@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "engine/base/text.h"
@@ -17,8 +18,8 @@ namespace {
 struct Options {
   std::string episode;
   std::string kind;
-  std::string from;
-  std::string to;
+  std::optional<std::string> from;
+  std::optional<std::string> to;
   std::string format = "text";
 };
 
@@ -36,16 +37,19 @@ int PrintEvents(const Options& options) {
   auto run = OpenRun(options.episode);
   if (!run) return Fail(run.error());
   NoteIncomplete(options.episode, run->complete(), run->events().size());
-  if (!options.from.empty()) {
+  if (options.from) {
     auto from = ParseMoment(options.from, *run);
     if (!from) return Fail(from.error());
     filter.from = *from;
   }
-  if (!options.to.empty()) {
+  if (options.to) {
     auto to = ParseMoment(options.to, *run);
     if (!to) return Fail(to.error());
     filter.to = *to;
   }
+  if (filter.from > filter.to)
+    return Fail("--from " + *options.from + " lies behind --to " + *options.to +
+                ", so no event can lie between them; give the earlier moment to --from");
   std::ostringstream text;
   const Status status = options.format == "ndjson" ? WriteEventsNdjson(*run, filter, text) : WriteEventsText(*run, filter, text);
   if (!status) return Fail(status.error());

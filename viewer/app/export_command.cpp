@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "engine/query/model_graph.h"
@@ -21,7 +22,7 @@ namespace {
 struct Options {
   std::string episode;
   std::string format;
-  std::string at;
+  std::optional<std::string> at;
   std::string output = "-";
 };
 

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "viewer/app/commands.h"
 #include "viewer/app/file_output.h"
@@ -16,7 +17,7 @@ namespace {
 
 struct Options {
   std::string episode;
-  std::string at;
+  std::optional<std::string> at;
   std::string output;
   std::string size = "1280x720";
   std::string camera;

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "exporters/kb/knowledge_text.h"
@@ -15,7 +16,7 @@ namespace {
 
 struct Options {
   std::string episode;
-  std::string at;
+  std::optional<std::string> at;
 };
 
 int PrintKnowledge(const Options& options) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "engine/base/text.h"
 #include "exporters/snapshot/snapshot.h"
@@ -17,7 +18,7 @@ namespace {
 
 struct Options {
   std::string episode;
-  std::string at;
+  std::optional<std::string> at;
   std::string file;
   bool evidence = false;
 };

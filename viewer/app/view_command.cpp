@@ -26,8 +26,8 @@ namespace {
 struct Options {
   std::string episode;
   std::string what;
-  std::string of;
-  std::string at;
+  std::optional<std::string> of;
+  std::optional<std::string> at;
   std::string camera;
   std::optional<int> depth;
   std::string output;
@@ -75,16 +75,16 @@ Result<std::string> DrawMoment(const Run& run, const Asked& asked, const std::st
 
 // An option that a view has no use for is a slip, and said so.
 Status HasUseFor(const Options& options) {
-  const auto only = [&](const std::string& given, const std::string& name,
+  const auto only = [&](bool given, const std::string& name,
                         const std::vector<std::string>& views) -> Status {
-    if (given.empty() || std::find(views.begin(), views.end(), options.what) != views.end()) return Ok();
+    if (!given || std::find(views.begin(), views.end(), options.what) != views.end()) return Ok();
     return Error{name + " is for " + Join(views, ", ") + "; leave it out with --what " + options.what};
   };
-  if (Status fine = only(options.of, "--of", {"graph", "analogy", "why", "led-to", "curves"}); !fine)
+  if (Status fine = only(options.of.has_value(), "--of", {"graph", "analogy", "why", "led-to", "curves"}); !fine)
     return fine;
-  if (Status fine = only(options.at, "--at", {"graph", "moment"}); !fine) return fine;
-  if (Status fine = only(options.depth ? "given" : "", "--depth", {"why", "led-to"}); !fine) return fine;
-  return only(options.camera, "--camera", {"moment"});
+  if (Status fine = only(options.at.has_value(), "--at", {"graph", "moment"}); !fine) return fine;
+  if (Status fine = only(options.depth.has_value(), "--depth", {"why", "led-to"}); !fine) return fine;
+  return only(!options.camera.empty(), "--camera", {"moment"});
 }
 
 Result<std::string> Draw(const Run& run, const Options& options, const Asked& asked) {
@@ -128,12 +128,12 @@ int MakeView(const Options& options) {
   NoteIncomplete(options.episode, run->complete(), run->events().size());
   Asked asked;
   asked.theme = options.dark ? DarkTheme() : LightTheme();
-  if (!options.of.empty()) {
-    auto object = run->FindObject(options.of);
+  if (options.of) {
+    auto object = run->FindObject(*options.of);
     if (!object) return Fail(object.error());
     asked.object = *object;
   }
-  if (!options.at.empty()) {
+  if (options.at) {
     auto at = ParseMoment(options.at, *run);
     if (!at) return Fail(at.error());
     asked.at = *at;
