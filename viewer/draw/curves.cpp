@@ -92,7 +92,8 @@ class Curve {
   void DrawStep(std::size_t index) {
     const ConfidenceStep& step = history_.steps[index];
     const Point point = At(step);
-    const bool bad = step.success == false || step.state != ModelState::kActive;
+    // A model that is phased out may be right again, which brings it back.
+    const bool bad = step.success ? !*step.success : step.state != ModelState::kActive;
     if (bad) {
       DrawCross(svg_, point, 5);
     } else {
@@ -100,16 +101,24 @@ class Curve {
     }
     // The end says of itself that it is one.
     const bool phased_out = !step.success && step.state == ModelState::kPhasedOut;
+    const bool back = !step.success && step.state == ModelState::kActive;
     const std::string reason = phased_out                           ? "phased out"
+                               : back                               ? "in use again"
                                : step.state == ModelState::kDeleted ? ""
                                                                     : step.reason;
-    if (reason.empty()) return;
+    // Where a success brings the model back, the return is told.
+    const bool told_next =
+        step.success && index + 1 < history_.steps.size() && !history_.steps[index + 1].success &&
+        history_.steps[index + 1].time == step.time && history_.steps[index + 1].state == ModelState::kActive;
+    if (reason.empty() || told_next) return;
     const int width = TextWidth(reason, 11);
     const int right_most = scale_.time.right() - width;
     const Rect over{std::min(point.x + 2, right_most), point.y - 20, width, 12};
     const Rect left{point.x - 10 - width, point.y - 6, width, 12};
     const Rect under{std::min(point.x + 2, right_most), point.y + 8, width, 12};
-    const std::vector<Rect> places = bad ? std::vector<Rect>{left, under} : std::vector<Rect>{over, left};
+    const std::vector<Rect> places = bad    ? std::vector<Rect>{left, under}
+                                     : back ? std::vector<Rect>{over, left, under}
+                                            : std::vector<Rect>{over, left};
     for (const Rect& place : places) {
       if (!Free(place, index)) continue;
       taken_.push_back({place.x - 4, place.y, width + 8, place.height});

@@ -269,26 +269,29 @@ class Drawer {
     return words;
   }
 
-  // Words with dots between, as many as there is room for.
+  // Words with dots between, as many as there is room for; those without are counted.
   void DrawWords(const std::vector<Word>& words, int x, int base_line, int width) {
     constexpr double kSize = 12;
     const int end = x + width;
-    const int dot = TextWidth(" · ", kSize);
+    const std::string dot = " · ";
+    const auto rest = [&](std::size_t count) { return dot + "+" + std::to_string(count); };
     for (std::size_t i = 0; i < words.size(); ++i) {
+      const std::size_t more = words.size() - i - 1;
+      const int room = end - x - (more == 0 ? 0 : TextWidth(rest(more), kSize));
       if (i > 0) {
-        if (end - x < dot + TextWidth("…", kSize)) return;
-        svg_.Text(x, base_line, " · ", {"d-3"});
-        x += dot;
+        if (room < TextWidth(dot, kSize) + TextWidth(words[i].text, kSize)) {
+          svg_.Text(x, base_line, rest(more + 1), {"d-3"});
+          return;
+        }
+        svg_.Text(x, base_line, dot, {"d-3"});
+        x += TextWidth(dot, kSize);
       }
-      const bool last = i + 1 == words.size();
-      const int room = end - x - (last ? 0 : TextWidth("…", kSize));
-      const std::string fit = FitText(words[i].text, room, kSize);
+      const std::string fit = i > 0 ? words[i].text : FitText(words[i].text, room, kSize);
       const int used = TextWidth(fit, kSize);
       const std::string classes = words[i].pruned ? "d-3" : "";
       svg_.Text(x, base_line, WithVariables(fit, words[i].variables, classes), {});
       if (words[i].pruned) svg_.Line({x - 2, base_line - 4}, {x + used + 2, base_line - 4}, "d-cut");
       x += used;
-      if (fit != words[i].text) return;
     }
   }
 
@@ -368,19 +371,31 @@ class Drawer {
     const bool veto = IsVeto(run_, id);
     DrawRing(svg_, square, record->evidence.rate(), veto);
     const Point centre = square.centre();
-    if (veto) {
-      // Where there is no room under the ring, the word stands left of it.
-      open ? svg_.Text(centre.x, square.bottom() + 14, "never", {"d-b d-fail", 11, TextAnchor::kMiddle})
-           : svg_.Text(square.x - 8, centre.y - 5, "never", {"d-b d-fail", 10, TextAnchor::kEnd});
-    } else if (open) {
+    // What is said of a ring stands at its own height, where no word over or under it could be that of the
+    // next one: over the link that leads to it its number, under the link what has become of it, or what it
+    // forbids.
+    if (open) {
       svg_.Text(centre.x, square.bottom() + 14, IdText(id), {"d-id", 11, TextAnchor::kMiddle});
+    } else {
+      WriteBeside(square, centre.y - 4, IdText(id), "d-id", TextWeight::kMono);
     }
-    if (record->state == ModelState::kActive) return;
+    if (record->state == ModelState::kActive) {
+      if (veto) WriteBeside(square, centre.y + 13, "never", "d-b d-fail", TextWeight::kBold);
+      return;
+    }
     DrawCross(svg_, {square.right() - 2, square.y + 2}, 4);
-    const std::string word = record->state == ModelState::kDeleted ? "given up" : "phased out";
-    // Over the ring where there is room, so that it lies on no link.
-    open ? svg_.Text(centre.x - 4, square.y - 5, word, {"d-fail", 10, TextAnchor::kMiddle})
-         : svg_.Text(square.right() + 6, square.y + 2, word, {"d-fail", 10});
+    WriteBeside(square, centre.y + 13, record->state == ModelState::kDeleted ? "given up" : "phased out",
+                "d-fail", TextWeight::kRegular);
+  }
+
+  // Left of a ring, as large as there is room.
+  void WriteBeside(const Rect& ring, int base_line, const std::string& text, const std::string& classes,
+                   TextWeight weight) {
+    const int end = ring.x - 6;
+    const int room = end - layout_.requirements.x - 2;
+    double size = 10;
+    while (size > 8 && TextWidth(text, size, weight) > room) size -= 1;
+    svg_.Text(end, base_line, text, {classes, size, TextAnchor::kEnd});
   }
 
   void DrawModel(ModelId id, const Rect& rect, bool open) {

@@ -90,7 +90,7 @@ struct TriadBand {
 struct TriadOptions {
   int left_margin = 34;  // room for the links of analogies
   int state_width = 272;
-  int ring_column_width = 118;
+  int ring_column_width = 142;  // with room for a number left of a ring
   int model_width = 204;
   int max_lines = 12;  // conditions shown in an open card; beyond, the last line says how many more
   // Rows of a band, and cards of a list; more are counted, not shown. For paper: a page shows all.

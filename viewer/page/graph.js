@@ -372,13 +372,20 @@ function graphPane(app) {
     const text = svg("text", { x: start, y: middle });
     let room = w - (start - x) - idWidth - 8;
     const brief = card.brief.length ? card.brief : card.lines;
-    brief.forEach((line, i) => {
+    // Whole words, as many as there is room for; the others are counted.
+    const rest = (count) => (count ? " \u00b7 +" + count : "");
+    brief.every((line, i) => {
       const lead = i ? " \u00b7 " : "";
-      const words = fitted(line.text, room - widthOf(lead, 12), 12);
-      if (!words) return;
+      const left = room - widthOf(lead, 12) - widthOf(rest(brief.length - i - 1), 12);
+      const words = fitted(line.text, left, 12);
+      if (i && words !== line.text) {
+        text.append(rest(brief.length - i));
+        return false;
+      }
       room -= widthOf(lead + words, 12);
       if (lead) text.append(lead);
       text.append(svg("tspan", { class: line.cut ? "cut" : null }, ...withVariables(words, line.vars, "tspan")));
+      return true;
     });
     text.append(svg("title", { text: card.lines.map((line) => line.text + (line.cut ? " (pruned)" : "")).join("\n") }));
     return item(card, rect, [frame(rect, "card"),
@@ -438,9 +445,10 @@ function graphPane(app) {
     const body = [svg("circle", { class: "ring-bed", cx, cy, r }), arc, sure];
     const slant = r * 0.7;
     if (card.strong) body.push(svg("path", { class: "bar", d: `M${cx + slant} ${cy - slant}l5 -5M${cx - slant} ${cy + slant}l-5 5` }));
-    // Below its own ring, and not above: there the id of the one before stands.
-    if (isOpen) body.push(svg("text", { class: "gid", x: cx, y: y + h + 14, "text-anchor": "middle", text: card.id }));
-    if (isOpen && card.strong) body.push(svg("text", { class: "gid", x: cx, y: y + h + 25, "text-anchor": "middle", text: "never" }));
+    body.push(isOpen ? svg("text", { class: "gid", x: cx, y: y + h + 14, "text-anchor": "middle", text: card.id })
+      : svg("text", { class: "gid", x: x - 6, y: cy - 4, "text-anchor": "end", text: card.id }));
+    // At the ring's own height, under the link to it: over or under a ring it could be a word of the next one.
+    if (card.strong) body.push(svg("text", { class: "gid never", x: x - 6, y: cy + 13, "text-anchor": "end", text: "never" }));
     const number = numberOf(card);
     return item(card, rect, body, (t) => {
       const value = number === undefined ? 0 : log.sureAt(number, t) ?? 0;

@@ -180,6 +180,28 @@ TEST(GraphDrawing, TreesBeyondTheLimitSayWhatIsLeftOut) {
             kReadableBoxes);
 }
 
+TEST(GraphDrawing, AFoldedVetoKeepsItsNumberAndCountsWhatHasNoRoom) {
+  // It had no number, and ended in a dot behind which nothing came.
+  const aerascope::Run run = ScenarioRun("size_pruned_first_scripted.toml");
+  ModelGraphView view;
+  view.at = run.end();
+
+  const std::string svg = ModelGraphSvg(run, LayOutKnowledge(run), view, LightTheme());
+
+  int vetoes = 0;
+  for (const auto& [id, record] : run.final_knowledge().models()) {
+    if (KindOf(record.model) != ModelKind::kStrongRequirement) continue;
+    ++vetoes;
+    const std::size_t card = svg.find("<g data-id=\"" + IdText(id) + "\">");
+    ASSERT_NE(card, std::string::npos);
+    const std::string drawn = svg.substr(card, svg.find("</g>", card) - card);
+    EXPECT_NE(drawn.find(">" + IdText(id) + "<"), std::string::npos);
+    EXPECT_NE(drawn.find(">never<"), std::string::npos);
+  }
+  EXPECT_EQ(vetoes, 3);
+  EXPECT_GE(CountOf(svg, "> · +"), 3u);
+}
+
 // The drawing of one triad, small enough to be read.
 TEST(GraphDrawing, OneTriadIsDrawnAsInTheGoldenFile) {
   const aerascope::Run run = LongRun(1);

@@ -5,6 +5,7 @@
 
 #include "engine/query/episode_summary.h"
 #include "engine/query/model_history.h"
+#include "tests/viewer/draw/scenario_run.h"
 #include "tests/viewer/draw/svg_check.h"
 #include "viewer/draw/curves.h"
 #include "viewer/draw/lane_bars.h"
@@ -58,6 +59,38 @@ TEST(Curves, AFailureIsACrossInTheColourOfFailure) {
 
   EXPECT_EQ(CountOf(svg.content(), "class=\"d-cross\""), 1u);
   EXPECT_EQ(LowestQuarter({history}), 0.5);
+}
+
+TEST(Curves, ASuccessThatBringsAModelBackIsNoCross) {
+  // A cross stood over "b at 77 came true", since the model was phased out until then.
+  const aerascope::Run run = ScenarioRun("moving_ball.toml");
+  ModelHistory history;
+  for (const EventId id : run.OfKind<ModelStateChanged>()) {
+    const auto& changed = *run.FindBody<ModelStateChanged>(id);
+    if (changed.after == ModelState::kActive) history = HistoryOf(run, changed.model);
+  }
+  ASSERT_FALSE(history.steps.empty());
+  std::size_t bad = 0;
+  for (const ConfidenceStep& step : history.steps) {
+    bad += step.success == false || (!step.success && step.state != ModelState::kActive) ? 1 : 0;
+  }
+  Svg svg;
+
+  DrawConfidenceCurve(svg, run, history, {0, 0, 960, 70}, {TimeScale({0}, run.end(), 44, 900), 0.25});
+
+  EXPECT_EQ(CountOf(svg.content(), "class=\"d-cross\""), bad);
+  EXPECT_NE(svg.content().find(">phased out<"), std::string::npos);
+  EXPECT_NE(svg.content().find(">in use again<"), std::string::npos);
+}
+
+TEST(Lanes, VetoesOfOneFailureHaveOneSign) {
+  const aerascope::Run run = ScenarioRun("hand_grab_sphere_learn.toml");
+  Svg svg;
+
+  DrawLanes(svg, run, Summarise(run), 1500);
+
+  EXPECT_NE(svg.content().find(">7 vetoes: release a sphere<"), std::string::npos);
+  EXPECT_EQ(svg.content().find("more</text>"), std::string::npos) << "all have room";
 }
 
 TEST(Lanes, EveryGoalCommandAndPredictionHasItsMark) {
