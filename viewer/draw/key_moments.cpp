@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "engine/query/describe.h"
 #include "engine/query/episode_summary.h"
@@ -106,17 +107,20 @@ KeyStory KeyMomentsOf(const Run& run, std::size_t max) {
   return story;
 }
 
-std::vector<KeyMoment> MomentsAt(const Run& run, const std::vector<Time>& times) {
+KeyStory MomentsAt(const Run& run, const std::vector<Time>& times) {
   const std::vector<KeyMoment> candidates = Candidates(run, Summarise(run));
-  std::vector<KeyMoment> moments;
+  KeyStory story;
+  std::set<Time> told;
   for (const Time at : times) {
     const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const KeyMoment& candidate) {
       return run.FrameAt(candidate.at) == run.FrameAt(at);
     });
-    moments.push_back(found != candidates.end() ? *found : Plain(run, at));
-    moments.back().at = at;
+    if (found != candidates.end()) told.insert(found->at);
+    story.moments.push_back(found != candidates.end() ? *found : Plain(run, at));
+    story.moments.back().at = at;
   }
-  return moments;
+  story.left_out = candidates.size() - told.size();
+  return story;
 }
 
 std::vector<Time> KeyMoments(const Run& run, std::size_t max) {

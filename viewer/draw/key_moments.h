@@ -29,7 +29,7 @@ KeyStory KeyMomentsOf(const Run& run, std::size_t max);
 
 // What there is to say about these times, in their order; a frame's own sentence where nothing telling
 // happened.
-std::vector<KeyMoment> MomentsAt(const Run& run, const std::vector<Time>& times);
+KeyStory MomentsAt(const Run& run, const std::vector<Time>& times);
 
 // Only the times, for whoever draws the pictures: with the first and last frame where there are few.
 inline constexpr std::size_t kLeastPictures = 3;

@@ -112,24 +112,19 @@ class Sheet {
     std::vector<Time> times;
     const std::size_t count = std::min(frames_.frames.size(), kSheetFrames);
     for (std::size_t i = 0; i < count; ++i) times.push_back(frames_.frames[i].at);
-    const std::vector<KeyMoment> moments = MomentsAt(run_, times);
+    const KeyStory story = MomentsAt(run_, times);
     for (std::size_t i = 0; i < count; i += kFramesInRow) {
       int bottom = y_;
       for (std::size_t k = i; k < std::min(count, i + kFramesInRow); ++k) {
         const Rect place{kMargin + static_cast<int>(k - i) * (kSheetFrameWidth + kGap), y_, kSheetFrameWidth,
                          kSheetFrameHeight};
-        auto end = DrawFrame(frames_.frames[k], moments[k], place);
+        auto end = DrawFrame(frames_.frames[k], story.moments[k], place);
         if (!end) return end.error();
         bottom = std::max(bottom, *end);
       }
       y_ = bottom + kRowGap;
     }
-    const auto shown =
-        static_cast<std::size_t>(std::count_if(moments.begin(), moments.end(), [](const KeyMoment& moment) {
-          return moment.kind != MomentKind::kStart;
-        }));
-    const std::size_t told = KeyMomentsOf(run_, 0).left_out;
-    NoteLeftOut(told - std::min(told, shown));
+    NoteLeftOut(story.left_out);
     // Few pictures leave room for the course of things.
     if (count <= kFramesInRow) {
       y_ += 18;

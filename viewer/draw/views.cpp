@@ -125,7 +125,7 @@ std::string CurvesSvg(const Run& run, std::vector<ModelId> models, const Theme& 
 }
 
 Result<std::string> MomentSvg(const Run& run, const SheetFrame& frame, const Theme& theme) {
-  const std::vector<KeyMoment> moments = MomentsAt(run, {frame.at});
+  const std::vector<KeyMoment> moments = MomentsAt(run, {frame.at}).moments;
   const Rect place{0, 0, kWidth, kWidth * 9 / 16};
   Svg svg;
   const std::string time = SecondsText(frame.at);

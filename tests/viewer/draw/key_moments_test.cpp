@@ -61,11 +61,15 @@ TEST(KeyMoments, ARunInWhichNothingHappenedGivesFirstAndLastFrame) {
 TEST(KeyMoments, AnyTimeHasSomethingToSay) {
   const aerascope::Run run = PaperRun();
 
-  const std::vector<KeyMoment> moments = MomentsAt(run, {Time{6'000'000}, Time{7'000'000}, Time{99'000'000}});
+  const KeyStory story = MomentsAt(run, {Time{6'000'000}, Time{7'000'000}, Time{99'000'000}});
+  const std::vector<KeyMoment>& moments = story.moments;
 
   ASSERT_EQ(moments.size(), 3u);
   EXPECT_EQ(moments[0].kind, MomentKind::kAnalogy);
   for (const KeyMoment& moment : moments) EXPECT_FALSE(moment.sentences.empty());
+  const auto told = static_cast<std::size_t>(std::count_if(
+      moments.begin(), moments.end(), [](const KeyMoment& moment) { return moment.event.valid(); }));
+  EXPECT_EQ(story.left_out, KeyMomentsOf(run, 0).left_out - told);
 }
 
 }  // namespace
