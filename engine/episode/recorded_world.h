@@ -1,5 +1,5 @@
-// A RecordedWorld says again what a world said in a recorded episode: the same observations, the same executed
-// commands, the same states. With it the reasoner can be run again on exactly what it met.
+// A RecordedWorld says again what a world said in a recorded episode: the same observations, the same
+// executed commands, the same states. With it the reasoner can be run again on exactly what it met.
 #pragma once
 
 #include <map>
@@ -12,7 +12,8 @@ namespace aerascope {
 
 class RecordedWorld : public World {
  public:
-  // The last `seed_facts` of the episode's properties came from the seed, not from the world. The episode outlives this.
+  // The last `seed_facts` of the episode's properties came from the seed, not from the world. The episode
+  // outlives this.
   RecordedWorld(const EpisodeFile& episode, std::size_t seed_facts);
 
   Result<std::vector<Fact>> Observe(TimeInterval frame) override;

@@ -156,7 +156,7 @@ class Arranger {
   }
 
  private:
-  void Arrange(Arrangement so_far, std::vector<bool> used) {
+  void Arrange(Arrangement so_far, const std::vector<bool>& used) {
     if (Exhausted()) AddTheRest(&so_far, used);
     if (so_far.order.size() == components_.size()) return Compare(std::move(so_far));
     std::string smallest;
@@ -167,7 +167,7 @@ class Arranger {
       next.order.push_back(static_cast<int>(i));
       std::vector<bool> next_used = used;
       next_used[i] = true;
-      Arrange(std::move(next), std::move(next_used));
+      Arrange(std::move(next), next_used);
       if (tried_ >= kMaxArrangements || Exhausted()) return;
     }
   }

@@ -64,8 +64,8 @@ class Term {
   Term(const Term& other) : node_(other.node_) { Retain(node_); }
   Term(Term&& other) noexcept : node_(std::exchange(other.node_, &kNil)) {}
   Term& operator=(const Term& other) {
-    Retain(other.node_);
-    Release(std::exchange(node_, other.node_));
+    Term copy(other);
+    std::swap(node_, copy.node_);
     return *this;
   }
   Term& operator=(Term&& other) noexcept {
@@ -161,7 +161,8 @@ class Term {
 
   explicit Term(const Node* node) : node_(node) {}  // takes over one use
   static Table& CommonTable();
-  static thread_local Table* own_table_;  // of the space this thread is in; null outside of any
+  // Of the space this thread is in; null outside of any.
+  static thread_local Table* own_table_;  // NOLINT(readability-identifier-naming): a member, not a global
   static Term Make(const Content& content);
   static Term Atom(TermKind kind, std::int64_t integer);
   static Term Everywhere(TermKind kind, std::int64_t integer);

@@ -124,7 +124,7 @@ std::string ActionTitle(const KnowledgeBase& knowledge, const Model& requirement
   return title;
 }
 
-std::string Sentence(std::string text) {
+std::string Sentence(const std::string& text) {
   return text + ".";
 }
 

@@ -66,10 +66,8 @@ std::string AspectText(const std::string& aspect, const KbDiffSide& left, const 
     return from_to(EvidenceText(left.evidence), EvidenceText(right.evidence));
   if (aspect == "strength")
     return from_to(left.strong ? "confirmed" : "open", right.strong ? "confirmed" : "open");
-  if (aspect == "state")
-    return from_to(StateText(left.model_state), StateText(right.model_state));
-  if (aspect == "origin")
-    return from_to(OriginText(left.origin), OriginText(right.origin));
+  if (aspect == "state") return from_to(StateText(left.model_state), StateText(right.model_state));
+  if (aspect == "origin") return from_to(OriginText(left.origin), OriginText(right.origin));
   if (aspect == "copies") return from_to(std::to_string(left.copies), std::to_string(right.copies));
   const auto source = [](const KbDiffSide& side) {
     return side.derived_from.empty() ? std::string("from nothing") : "from " + side.derived_from;

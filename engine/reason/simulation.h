@@ -24,7 +24,7 @@ struct Trial {
   SimulationId simulation;
   EventId ended;
   SimulationOutcome outcome = SimulationOutcome::kNotReached;
-  Time ends;  // the beginning of the imagined frame it ended in
+  Time ends;                          // the beginning of the imagined frame it ended in
   std::vector<GoalId> harmed;         // goals that something predicted in it speaks against
   std::map<ModelId, EventId> vetoed;  // models of steps that a veto disabled, and where that is said
 };

@@ -396,7 +396,7 @@ class SeedReader {
       return WrongCount(*(*fields)[2], state.label, "argument", expected.size(), arguments->size(),
                         NamesText(expected, state.state.variable_names));
     }
-    return MakeIcst(state.state.id, {}, std::move(*arguments));
+    return MakeIcst(state.state.id, {}, *arguments);
   }
 
   Result<Term> ImdlPayload(const SyntaxNode& node, Scope* scope) {
@@ -418,7 +418,7 @@ class SeedReader {
       return WrongCount(*(*fields)[2], model.label, "exposed argument", expected.size(), exposed->size(),
                         NamesText(expected, model.model.variable_names));
     }
-    return MakeImdl(model.model.id, std::move(*template_arguments), std::move(*exposed));
+    return MakeImdl(model.model.id, *template_arguments, *exposed);
   }
 
   // ------------------------------------------------------------------------------------------------

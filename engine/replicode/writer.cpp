@@ -261,8 +261,8 @@ class SeedWriter {
   }
 
   // The wanted name if it can be used, else the other one, made unlike all names so far.
-  std::string FreeLabel(const std::string& wanted, std::string other) {
-    std::string label = IsPlainName(wanted) && !taken_.contains(wanted) ? wanted : std::move(other);
+  std::string FreeLabel(const std::string& wanted, const std::string& other) {
+    std::string label = IsPlainName(wanted) && !taken_.contains(wanted) ? wanted : other;
     while (taken_.contains(label)) label += "_";
     taken_.insert(label);
     return label;

@@ -22,7 +22,7 @@ struct EpisodeFile {
   std::vector<Event> events;  // ids 1, 2, 3 ... without gaps
   bool complete = false;      // the run came to its end: EpisodeEnded is last, and the file was finished
   std::optional<Hash128>
-      stored_digest;  // of the event stream, as the writer computed it; none if not finished, or if older
+      stored_digest;   // of the event stream, as the writer computed it; none if not finished, or if older
   bool older = false;  // of an earlier schema: what that lacks reads as none, so no digest can be compared
 };
 

@@ -525,8 +525,7 @@ WorldDescription MujocoWorld::Description() const {
     const char* name = mj_id2name(model_.get(), mjOBJ_CAMERA, camera);
     if (name && *name) description.cameras.emplace_back(name);
   }
-  for (const ObjectConfig& object : config_.objects)
-    description.body_of_entity[object.entity] = object.body;
+  for (const ObjectConfig& object : config_.objects) description.body_of_entity[object.entity] = object.body;
   const char* hand = mj_id2name(model_.get(), mjOBJ_BODY, model_->site_bodyid[binding_.tool_site]);
   if (hand && *hand) description.body_of_entity[config_.hand.entity] = hand;
   return description;

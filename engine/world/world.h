@@ -45,13 +45,14 @@ struct WorldDescription {
   std::string model_text;
   std::vector<WorldAsset> assets;
   std::vector<std::string> cameras;  // the first one is the default view
-  // Which body of the model an entity is; of the hand, the one that carries its tool. Entities without one are left out.
+  // Which body of the model an entity is; of the hand, the one that carries its tool. Entities without one
+  // are left out.
   std::map<std::string, std::string> body_of_entity{};
 };
 
-// How a sensor's word is dated (semantics 7.2). A periodic value holds throughout the frame it was sensed in. A held one
-// begins a little later, so that it is not simultaneous with the periodic values and may be taken for the cause of what
-// changes next; speeds are sensed so.
+// How a sensor's word is dated (semantics 7.2). A periodic value holds throughout the frame it was sensed in.
+// A held one begins a little later, so that it is not simultaneous with the periodic values and may be taken
+// for the cause of what changes next; speeds are sensed so.
 enum class SyncMode { kPeriodic, kHold };
 
 // Empty only in a frame too short for a held value.

@@ -18,8 +18,8 @@ struct EntityProperty {
   bool operator==(const EntityProperty&) const = default;
 };
 
-// move [h delta]; grab [h]; release [h]; change [h], which alters what it acts on without holding it and exists in
-// the scripted world only.
+// move [h delta]; grab [h]; release [h]; change [h], which alters what it acts on without holding it and
+// exists in the scripted world only.
 enum class CommandKind { kMove, kGrab, kRelease, kChange };
 
 inline Fact PropertyFact(const std::string& entity, const EntityProperty& property) {

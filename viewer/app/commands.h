@@ -1,5 +1,6 @@
-// The subcommands: one file each, each adding itself to the command line. What a command does runs after parsing and
-// gives the exit status: 0 done, 1 a difference or failed expectation was found, 2 wrong use or trouble.
+// The subcommands: one file each, each adding itself to the command line. What a command does runs after
+// parsing and gives the exit status: 0 done, 1 a difference or failed expectation was found, 2 wrong use or
+// trouble.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,5 @@
 // aerascope doctor: what this machine can do, and what to install for the rest.
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <filesystem>
 
@@ -22,8 +21,9 @@ int Examine() {
   auto renderer = Renderer::Create();
   if (renderer) {
     const RendererInfo& info = (*renderer)->info();
-    Line(true, "frames", info.driver + ", OpenGL " + info.version + ", EGL " + info.platform +
-                             (info.software ? "; drawn in software" : ""));
+    Line(true, "frames",
+         info.driver + ", OpenGL " + info.version + ", EGL " + info.platform +
+             (info.software ? "; drawn in software" : ""));
   } else {
     all_good = false;
     Line(false, "frames", renderer.error().message);
@@ -40,7 +40,8 @@ int Examine() {
 }  // namespace
 
 void AddDoctorCommand(CLI::App& app, Chosen* chosen) {
-  CLI::App* command = app.add_subcommand("doctor", "What this machine can do, and what to install for the rest");
+  CLI::App* command =
+      app.add_subcommand("doctor", "What this machine can do, and what to install for the rest");
   command->callback([=] { *chosen = Examine; });
 }
 

@@ -1,6 +1,5 @@
 // aerascope events: the log, one event a line.
 #include <CLI/CLI.hpp>
-
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -30,7 +29,8 @@ int PrintEvents(const Options& options) {
     if (kind == kEventKinds) {
       const std::string closest = ClosestWord(options.kind, EventKindNames());
       return Fail("there is no kind of event '" + options.kind + "'" +
-                  (closest.empty() ? "; known are " + Join(EventKindNames(), ", ") : "; did you mean '" + closest + "'?"));
+                  (closest.empty() ? "; known are " + Join(EventKindNames(), ", ")
+                                   : "; did you mean '" + closest + "'?"));
     }
     filter.kind = kind;
   }
@@ -51,7 +51,8 @@ int PrintEvents(const Options& options) {
     return Fail("--from " + *options.from + " lies behind --to " + *options.to +
                 ", so no event can lie between them; give the earlier moment to --from");
   std::ostringstream text;
-  const Status status = options.format == "ndjson" ? WriteEventsNdjson(*run, filter, text) : WriteEventsText(*run, filter, text);
+  const Status status = options.format == "ndjson" ? WriteEventsNdjson(*run, filter, text)
+                                                   : WriteEventsText(*run, filter, text);
   if (!status) return Fail(status.error());
   if (Status written = WriteFile("-", text.str()); !written) return Fail(written.error());
   return kDone;

@@ -1,6 +1,5 @@
 // aerascope export: the knowledge at a moment in the formats of other tools.
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -41,7 +40,8 @@ int Export(const Options& options) {
   auto at = ParseMoment(options.at, *run);
   if (!at) return Fail(at.error());
   std::ostringstream text;
-  if (Status status = WriteAs(options.format, run->KnowledgeBaseAt(*at), text); !status) return Fail(status.error());
+  if (Status status = WriteAs(options.format, run->KnowledgeBaseAt(*at), text); !status)
+    return Fail(status.error());
   if (Status written = WriteFile(options.output, text.str()); !written) return Fail(written.error());
   if (options.output != "-") std::printf("%s\n", options.output.c_str());
   return kDone;
@@ -57,7 +57,8 @@ void AddExportCommand(CLI::App& app, Chosen* chosen) {
       ->required()
       ->check(CLI::IsMember({"dot", "graphml", "json", "replicode"}));
   command->add_option("--at", options->at, "The moment: 3.2s, 700ms; default: the end");
-  command->add_option("-o,--output", options->output, "The file to write; - is standard output")->capture_default_str();
+  command->add_option("-o,--output", options->output, "The file to write; - is standard output")
+      ->capture_default_str();
   command->callback([=] { *chosen = [=] { return Export(*options); }; });
 }
 

@@ -1,6 +1,5 @@
 // aerascope frame: one moment of an episode as a picture.
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -52,7 +51,8 @@ void AddFrameCommand(CLI::App& app, Chosen* chosen) {
   command->add_option("--at", options->at, "The moment: 3.2s, 700ms; default: the end");
   command->add_option("-o,--output", options->output, "The PNG file to write")->required();
   command->add_option("--size", options->size, "Width x height in pixels")->capture_default_str();
-  command->add_option("--camera", options->camera, "A camera of the model, or free:AZIMUTH,ELEVATION,DISTANCE");
+  command->add_option("--camera", options->camera,
+                      "A camera of the model, or free:AZIMUTH,ELEVATION,DISTANCE");
   command->callback([=] { *chosen = [=] { return DrawFrame(*options); }; });
 }
 

@@ -1,6 +1,5 @@
 // aerascope kb: what the agent knew at a moment, as text.
 #include <CLI/CLI.hpp>
-
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -26,7 +25,8 @@ int PrintKnowledge(const Options& options) {
   auto at = ParseMoment(options.at, *run);
   if (!at) return Fail(at.error());
   std::ostringstream text;
-  if (Status status = WriteKnowledgeText(run->KnowledgeBaseAt(*at), text); !status) return Fail(status.error());
+  if (Status status = WriteKnowledgeText(run->KnowledgeBaseAt(*at), text); !status)
+    return Fail(status.error());
   if (Status status = WriteFile("-", text.str()); !status) return Fail(status.error());
   return kDone;
 }

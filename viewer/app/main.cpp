@@ -1,9 +1,9 @@
-// The program: reads the command line, runs one subcommand, turns what went wrong into one sentence and a status.
-#include <CLI/CLI.hpp>
-
+// The program: reads the command line, runs one subcommand, turns what went wrong into one sentence and a
+// status.
 #include <poll.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -33,7 +33,8 @@ std::string SuggestionFor(const CLI::App& app, int argc, char** argv) {
     if (word.starts_with("-")) continue;
     if (std::find(known.begin(), known.end(), word) != known.end()) return "";
     const std::string closest = ClosestWord(word, known);
-    return "there is no command '" + word + "'" + (closest.empty() ? "" : "; did you mean '" + closest + "'?");
+    return "there is no command '" + word + "'" +
+           (closest.empty() ? "" : "; did you mean '" + closest + "'?");
   }
   return "";
 }
@@ -109,7 +110,9 @@ int Main(int argc, char** argv) {
 
 }  // namespace
 
-std::string ProgramVersion() { return "aerascope " AERASCOPE_VERSION; }
+std::string ProgramVersion() {
+  return "aerascope " AERASCOPE_VERSION;
+}
 
 }  // namespace aerascope
 

@@ -8,7 +8,8 @@ Result<Time> ParseMoment(const std::optional<std::string>& asked, const Run& run
   if (!asked) return run.end();
   const std::string& text = *asked;
   if (text.empty())
-    return Error{"a moment was asked for, but it is empty; write it like 3.2s or 700ms, or leave it out for the end"};
+    return Error{
+        "a moment was asked for, but it is empty; write it like 3.2s or 700ms, or leave it out for the end"};
   const auto time = ParseTime(text);
   if (!time) return Error{"'" + text + "' is not a time; write it like 3.2s or 700ms"};
   if (time->us < 0 || *time > run.end()) {

@@ -13,16 +13,21 @@ int Fail(std::string_view message) {
   return 2;
 }
 
-int Fail(const Error& error) { return Fail(error.message); }
+int Fail(const Error& error) {
+  return Fail(error.message);
+}
 
 void NoteIncomplete(const std::string& path, bool complete, std::size_t events) {
   if (complete) return;
-  std::fprintf(stderr, "%s is incomplete: the run was cut short, the last event is #%zu\n", Printable(path).c_str(), events);
+  std::fprintf(stderr, "%s is incomplete: the run was cut short, the last event is #%zu\n",
+               Printable(path).c_str(), events);
 }
 
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
 
-ProgressLine::~ProgressLine() { Clear(); }
+ProgressLine::~ProgressLine() {
+  Clear();
+}
 
 void ProgressLine::Clear() {
   if (shown_) std::fputs("\r\x1b[K", stderr);

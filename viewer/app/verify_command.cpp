@@ -1,6 +1,5 @@
 // aerascope verify: is the file whole, does every event have its causes, does replaying give the same digest?
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <memory>
 
@@ -44,7 +43,8 @@ void CheckCauses(const EpisodeFile& episode, Checks* checks) {
     }
   }
   if (without + wrong == 0) {
-    checks->Report(true, std::to_string(links) + " causes, each an earlier event; every event that must have one has one");
+    checks->Report(true, std::to_string(links) +
+                             " causes, each an earlier event; every event that must have one has one");
   } else {
     checks->Report(false, std::to_string(without) + " events lack a cause, " + std::to_string(wrong) +
                               " causes are no earlier events; the first: " + first_trouble);
@@ -64,10 +64,14 @@ int Verify(const std::string& path) {
   if (episode->stored_digest) {
     checks.Report(digest.Value() == *episode->stored_digest,
                   "digest of the events " + ToText(digest.Value()) +
-                      (digest.Value() == *episode->stored_digest ? ", as stored" : ", but stored is " + ToText(*episode->stored_digest)));
+                      (digest.Value() == *episode->stored_digest
+                           ? ", as stored"
+                           : ", but stored is " + ToText(*episode->stored_digest)));
   }
   if (episode->older) {
-    std::puts("note  written by an earlier aerascope: it lacks what was added since, so digests cannot be compared");
+    std::puts(
+        "note  written by an earlier aerascope: it lacks what was added since, so digests cannot be "
+        "compared");
   }
   CheckCauses(*episode, &checks);
   if (episode->complete && !episode->older) {

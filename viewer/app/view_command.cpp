@@ -80,7 +80,8 @@ Status HasUseFor(const Options& options) {
     if (!given || std::find(views.begin(), views.end(), options.what) != views.end()) return Ok();
     return Error{name + " is for " + Join(views, ", ") + "; leave it out with --what " + options.what};
   };
-  if (Status fine = only(options.of.has_value(), "--of", {"graph", "analogy", "why", "led-to", "curves"}); !fine)
+  if (Status fine = only(options.of.has_value(), "--of", {"graph", "analogy", "why", "led-to", "curves"});
+      !fine)
     return fine;
   if (Status fine = only(options.at.has_value(), "--at", {"graph", "moment"}); !fine) return fine;
   if (Status fine = only(options.depth.has_value(), "--depth", {"why", "led-to"}); !fine) return fine;

@@ -1,6 +1,5 @@
 // aerascope why: the causes of a thing, back to what was observed; or what it led to.
 #include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <memory>
 
@@ -36,11 +35,15 @@ int Explain(const Options& options) {
 
 void AddWhyCommand(CLI::App& app, Chosen* chosen) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("why", "Why something exists: its causes as a tree, back to observations");
+  CLI::App* command =
+      app.add_subcommand("why", "Why something exists: its causes as a tree, back to observations");
   command->add_option("episode", options->episode, "The episode file")->required();
-  command->add_option("id", options->id, "mdl_14, cst_12, goal_7, pred_9, fact_3, or an event #214")->required();
+  command->add_option("id", options->id, "mdl_14, cst_12, goal_7, pred_9, fact_3, or an event #214")
+      ->required();
   command->add_flag("--led-to", options->led_to, "What it led to instead");
-  command->add_option("--depth", options->depth, "Levels to show")->check(CLI::Range(1, 1000))->capture_default_str();
+  command->add_option("--depth", options->depth, "Levels to show")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   command->callback([=] { *chosen = [=] { return Explain(*options); }; });
 }
 

@@ -16,8 +16,8 @@ void DrawCheck(Svg& svg, Point centre, int radius);
 void DrawCross(Svg& svg, Point centre, int radius);
 // An arrow head whose tip is here, pointing right.
 void DrawArrowHead(Svg& svg, Point tip);
-// A confidence as a ring in this square, with its number inside; that of a veto is barred and in the colour of
-// failure.
+// A confidence as a ring in this square, with its number inside; that of a veto is barred and in the colour
+// of failure.
 void DrawRing(Svg& svg, const Rect& square, double share, bool veto = false);
 // The end of a link that forbids what it leads to: a bar across the line, which ends here from the left.
 void DrawStop(Svg& svg, Point tip);

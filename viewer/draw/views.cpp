@@ -88,7 +88,7 @@ std::string LanesSvg(const Run& run, const Theme& theme) {
   return OnPage(svg, {width, height + 4}, run.title(), theme);
 }
 
-std::string CurvesSvg(const Run& run, std::vector<ModelId> models, const Theme& theme) {
+std::string CurvesSvg(const Run& run, const std::vector<ModelId>& models, const Theme& theme) {
   std::size_t left_out = 0;
   std::vector<ModelHistory> histories;
   if (models.empty()) {

@@ -21,7 +21,7 @@ std::string LanesSvg(const Run& run, const Theme& theme);
 
 // Of these models; of all requirement models that were learned or put to the test where none is named, the
 // most tested ones first, and the drawing says how many are left out.
-std::string CurvesSvg(const Run& run, std::vector<ModelId> models, const Theme& theme);
+std::string CurvesSvg(const Run& run, const std::vector<ModelId>& models, const Theme& theme);
 
 // The picture with its time, and what was told of its frame. An error if the picture is not a PNG.
 Result<std::string> MomentSvg(const Run& run, const SheetFrame& frame, const Theme& theme);

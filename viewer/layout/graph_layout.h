@@ -33,9 +33,9 @@ struct GraphToPlace {
 };
 
 struct PlacedLink {
-  std::size_t link = 0;      // position in GraphToPlace::links
-  // Control points of joined cubic curves: 1 + 3n points, from the middle of the side of its first node that faces
-  // the next layer to the middle of the opposite side of its last node.
+  std::size_t link = 0;  // position in GraphToPlace::links
+  // Control points of joined cubic curves: 1 + 3n points, from the middle of the side of its first node that
+  // faces the next layer to the middle of the opposite side of its last node.
   std::vector<Point> curve;
 };
 

@@ -146,7 +146,7 @@ function inspectorPane(app) {
     const X = (t) => left + (right - left) * (t - clock.start) / Math.max(1, clock.end - clock.start);
     const Y = (v) => bottom - (bottom - top) * (v - floor) / (1 - floor);
     const picture = svg("svg", { class: "life", viewBox: `0 0 ${width} 92`, role: "group", "aria-label": "Confidence over time" });
-    for (const value of [floor, (1 + floor) / 2, 1]) {
+    for (let value = floor; value <= 1; value += floor < 0.25 ? 0.5 : 0.25) {
       picture.append(svg("line", { class: "grid", x1: left, x2: right, y1: Y(value), y2: Y(value) }),
         svg("text", { x: left - 6, y: Y(value) + 4, "text-anchor": "end", text: String(Number(value.toFixed(2))).replace(/^0\./, ".") }));
     }

@@ -15,9 +15,9 @@
 
 namespace aerascope {
 
-// A stretch of time in which the variables of a piece of knowledge stood for something: a prediction rests on it,
-// the state of a requirement model is seen to hold (whatever comes of it), or a comparison put things in their
-// place.
+// A stretch of time in which the variables of a piece of knowledge stood for something: a prediction rests on
+// it, the state of a requirement model is seen to hold (whatever comes of it), or a comparison put things in
+// their place.
 struct Use {
   Time from;
   Time until;

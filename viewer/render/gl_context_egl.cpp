@@ -63,8 +63,8 @@ class EglContext : public GlContext {
  public:
   EglContext(std::string platform, EGLDisplay display) : platform_(std::move(platform)), display_(display) {}
 
-  // The display stays: ending it would unload the driver, which forgets some of its memory then, and the next context
-  // would have to load it again.
+  // The display stays: ending it would unload the driver, which forgets some of its memory then, and the next
+  // context would have to load it again.
   ~EglContext() override {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);

@@ -1,4 +1,5 @@
-// The paper's task from teaching to the last grasp, on one line: what is learned, when, and how sure (semantics 8, 10).
+// The paper's task from teaching to the last grasp, on one line: what is learned, when, and how sure
+// (semantics 8, 10).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +22,8 @@ std::vector<std::string> CommandsOfCausalModels(const KnowledgeBase& kb) {
   return functions;
 }
 
-// "grab_type_2: holding [], cst S4 large, ..." reduced to what tells triads apart: function, then ontology words.
+// "grab_type_2: holding [], cst S4 large, ..." reduced to what tells triads apart: function, then ontology
+// words.
 std::string Signature(const KnowledgeBase& kb, const ModelRecord& requirement) {
   const Model& causal = kb.Find(TargetModel(requirement.model))->model;
   std::set<std::string> words;
@@ -58,11 +60,13 @@ std::vector<Term> ThePapersDrives(const PickAndPlace& task) {
 }
 
 TEST(PaperTask, TeachingGivesOneTriadALesson) {
-  // Given an agent that knows three composite states and no model, when a teacher moves, grasps and releases both cubes,
+  // Given an agent that knows three composite states and no model, when a teacher moves, grasps and releases
+  // both cubes,
   PickAndPlace task;
   task.TeachBothGrasps();
   task.Pursue({task.Holding("")});
-  // then there is one causal model a command and one requirement model a lesson; the second move was foreseen.
+  // then there is one causal model a command and one requirement model a lesson; the second move was
+  // foreseen.
   const KnowledgeBase& kb = task.reasoner.knowledge();
   EXPECT_THAT(CommandsOfCausalModels(kb), ElementsAre("move", "grab_type_1", "release", "grab_type_2"));
   EXPECT_THAT(Requirements(kb, Origin::kInduction),
@@ -103,8 +107,9 @@ TEST(PaperTask, TheFirstAnalogyStartsAtThreeQuartersAndSuccessRaisesIt) {
   task.TeachBothGrasps();
   task.Pursue(ThePapersDrives(task));
   const auto compared = task.events.All<AnalogyCompared>();
-  const auto first = std::find_if(compared.begin(), compared.end(),
-                                  [](const AnalogyCompared* c) { return c->verdict == AnalogyVerdict::kAccepted; });
+  const auto first = std::find_if(compared.begin(), compared.end(), [](const AnalogyCompared* c) {
+    return c->verdict == AnalogyVerdict::kAccepted;
+  });
   ASSERT_NE(first, compared.end());
   EXPECT_EQ((*first)->matched, 3);
   EXPECT_EQ((*first)->total, 4);
@@ -113,9 +118,11 @@ TEST(PaperTask, TheFirstAnalogyStartsAtThreeQuartersAndSuccessRaisesIt) {
   std::vector<double> confidence;
   for (const Event& event : task.events.events) {
     const auto* created = std::get_if<ModelCreated>(&event.body);
-    if (created && created->model.id == (*first)->result_requirement) confidence.push_back(created->evidence.rate());
+    if (created && created->model.id == (*first)->result_requirement)
+      confidence.push_back(created->evidence.rate());
     const auto* updated = std::get_if<EvidenceUpdated>(&event.body);
-    if (updated && updated->model == (*first)->result_requirement) confidence.push_back(updated->after.rate());
+    if (updated && updated->model == (*first)->result_requirement)
+      confidence.push_back(updated->after.rate());
   }
   EXPECT_THAT(confidence, ElementsAre(0.75, 0.875, ::testing::DoubleNear(0.916667, 1e-6)));
 }
@@ -131,12 +138,14 @@ TEST(PaperTask, ComparisonsSayWhyTheyWereNotTaken) {
   }
   // In the first frame grab-large is generalised and grab-small is too unfamiliar (2 of 4). In the second the
   // generalised condition holds as it is; the taught one would do as well but is not needed.
-  EXPECT_THAT(verdicts, ElementsAre("grab_type_1 cube small: not_familiar", "grab_type_2 cube large: accepted",
-                                    "grab_type_1 cube small: not_familiar", "grab_type_2 cube large: not_required"));
+  EXPECT_THAT(verdicts,
+              ElementsAre("grab_type_1 cube small: not_familiar", "grab_type_2 cube large: accepted",
+                          "grab_type_1 cube small: not_familiar", "grab_type_2 cube large: not_required"));
 }
 
 TEST(PaperTask, AKnownObjectNeedsNoAnalogy) {
-  // Given the taught cubes only, when c2 (elsewhere) is wanted, then the known condition is met by moving there.
+  // Given the taught cubes only, when c2 (elsewhere) is wanted, then the known condition is met by moving
+  // there.
   PickAndPlace task;
   task.TeachBothGrasps();
   task.commands.clear();
@@ -157,8 +166,8 @@ TEST(PaperTask, AnObjectOfUnknownKindIsLeftAlone) {
 }
 
 TEST(PaperTask, AFailedAnalogyIsDeletedAndNotMadeAgain) {
-  // Given a world in which only cubes can be held, when s1 is wanted, then the analogy is tried, fails, is deleted
-  // (0.75 -> 0.375), and the same hypothesis is not made a second time.
+  // Given a world in which only cubes can be held, when s1 is wanted, then the analogy is tried, fails, is
+  // deleted (0.75 -> 0.375), and the same hypothesis is not made a second time.
   ScriptedWorldConfig config = PickAndPlace::Config();
   config.commands[2].holds = {{"shape", "cube"}};
   PickAndPlace task({}, config);
@@ -170,8 +179,9 @@ TEST(PaperTask, AFailedAnalogyIsDeletedAndNotMadeAgain) {
   EXPECT_DOUBLE_EQ(hypothesis.evidence.rate(), 0.375);
   EXPECT_EQ(Requirements(kb, Origin::kAnalogy).size(), 1u);
   const auto compared = task.events.All<AnalogyCompared>();
-  EXPECT_TRUE(std::any_of(compared.begin(), compared.end(),
-                          [](const AnalogyCompared* c) { return c->verdict == AnalogyVerdict::kBlackListed; }));
+  EXPECT_TRUE(std::any_of(compared.begin(), compared.end(), [](const AnalogyCompared* c) {
+    return c->verdict == AnalogyVerdict::kBlackListed;
+  }));
 }
 
 TEST(PaperTask, EveryEventHasItsCausesAndTheKnowledgeIsTheFoldOfTheEvents) {

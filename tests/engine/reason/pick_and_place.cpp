@@ -7,11 +7,18 @@ namespace {
 
 constexpr Duration kFrame = Milliseconds(100);
 
-Term E(const std::string& name) { return Term::Entity(name); }
-Term O(const std::string& name) { return Term::Ontology(name); }
-Term V(int index) { return Term::Variable(index); }
+Term E(const std::string& name) {
+  return Term::Entity(name);
+}
+Term O(const std::string& name) {
+  return Term::Ontology(name);
+}
+Term V(int index) {
+  return Term::Variable(index);
+}
 
-ScriptedObject Object(const std::string& name, double position, const std::string& shape, const std::string& size) {
+ScriptedObject Object(const std::string& name, double position, const std::string& shape,
+                      const std::string& size) {
   return {name, position, {{"shape", shape}, {"size", size}}};
 }
 
@@ -30,7 +37,8 @@ ScriptedWorldConfig TabletopOnALine() {
 }
 
 // {first payload, (V(0) position V(last))} over the interval variables `after`, `before`.
-CompositeState AtPosition(std::int64_t id, Term first, int position, int after, std::vector<std::string> names) {
+CompositeState AtPosition(std::int64_t id, Term first, int position, int after,
+                          std::vector<std::string> names) {
   CompositeState state;
   state.id = CompositeStateId{id};
   state.components = {{true, std::move(first), V(after), V(after + 1)},
@@ -41,17 +49,23 @@ CompositeState AtPosition(std::int64_t id, Term first, int position, int after, 
 
 }  // namespace
 
-ScriptedWorldConfig PickAndPlace::Config() { return TabletopOnALine(); }
+ScriptedWorldConfig PickAndPlace::Config() {
+  return TabletopOnALine();
+}
 
 PickAndPlace::PickAndPlace(ReasonerParameters parameters, ScriptedWorldConfig config)
     : reasoner(parameters, kFrame, &events) {
   auto world = MakeScriptedWorld(config);
   assert(world.ok());
   world_ = std::move(*world);
-  const CompositeState s0 = AtPosition(1, MakeValue(V(0), O("essence"), O("hand")), 3, 1, {"H", "T0", "T1", "P"});
-  const CompositeState s3 = AtPosition(2, MakeValue(V(0), O("shape"), V(1)), 4, 2, {"C", "X", "T0", "T1", "P"});
-  const CompositeState s4 = AtPosition(3, MakeValue(V(0), O("size"), V(1)), 4, 2, {"C", "X", "T0", "T1", "P"});
-  reasoner.LoadSeed({E("h"), E("c1"), E("c2"), E("s1"), E("s2"), E("cyl")}, world_->Properties(), {s0, s3, s4}, {});
+  const CompositeState s0 =
+      AtPosition(1, MakeValue(V(0), O("essence"), O("hand")), 3, 1, {"H", "T0", "T1", "P"});
+  const CompositeState s3 =
+      AtPosition(2, MakeValue(V(0), O("shape"), V(1)), 4, 2, {"C", "X", "T0", "T1", "P"});
+  const CompositeState s4 =
+      AtPosition(3, MakeValue(V(0), O("size"), V(1)), 4, 2, {"C", "X", "T0", "T1", "P"});
+  reasoner.LoadSeed({E("h"), E("c1"), E("c2"), E("s1"), E("s2"), E("cyl")}, world_->Properties(),
+                    {s0, s3, s4}, {});
 }
 
 void PickAndPlace::Begin() {
@@ -90,11 +104,13 @@ void PickAndPlace::Teach(const std::string& command) {
 }
 
 void PickAndPlace::TeachBothGrasps() {
-  for (const char* command : {"move c1", "grab_type_1", "release", "move c2", "grab_type_2", "release"}) Teach(command);
+  for (const char* command : {"move c1", "grab_type_1", "release", "move c2", "grab_type_2", "release"})
+    Teach(command);
 }
 
 Term PickAndPlace::Holding(const std::string& object) const {
-  return MakeValue(E("h"), O("holding"), Term::Set(object.empty() ? std::vector<Term>{} : std::vector<Term>{E(object)}));
+  return MakeValue(E("h"), O("holding"),
+                   Term::Set(object.empty() ? std::vector<Term>{} : std::vector<Term>{E(object)}));
 }
 
 int PickAndPlace::Pursue(const std::vector<Term>& goals, int frames) {

@@ -33,7 +33,8 @@ class PickAndPlace {
 
   // One frame in which the teacher commands.
   void Teach(const std::string& command);  // "move c1", "grab_type_1", "release"
-  // Gives the drives one after the other, each until it is reached or `frames` are over; how many were reached.
+  // Gives the drives one after the other, each until it is reached or `frames` are over; how many were
+  // reached.
   int Pursue(const std::vector<Term>& goals, int frames = 8);
   void TeachBothGrasps();  // the six commands of the guided phase
 

@@ -1,5 +1,5 @@
-// Planning over more than one model: chains generalised by analogy (paper, figure 1 right; semantics 6.4), sub-goals
-// that keep to the individuals at hand, and searches that must end.
+// Planning over more than one model: chains generalised by analogy (paper, figure 1 right; semantics 6.4),
+// sub-goals that keep to the individuals at hand, and searches that must end.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,9 +12,15 @@ using ::testing::ElementsAre;
 
 constexpr Duration kFrame = Milliseconds(100);
 
-Term E(const std::string& name) { return Term::Entity(name); }
-Term O(const std::string& name) { return Term::Ontology(name); }
-Term V(int index) { return Term::Variable(index); }
+Term E(const std::string& name) {
+  return Term::Entity(name);
+}
+Term O(const std::string& name) {
+  return Term::Ontology(name);
+}
+Term V(int index) {
+  return Term::Variable(index);
+}
 Term Value(Term object, const std::string& attribute, Term value) {
   return MakeValue(std::move(object), O(attribute), std::move(value));
 }
@@ -22,7 +28,8 @@ Term Value(Term object, const std::string& attribute, Term value) {
 CompositeState State(std::int64_t id, std::vector<Term> payloads, int after) {
   CompositeState state;
   state.id = CompositeStateId{id};
-  for (Term& payload : payloads) state.components.push_back({true, std::move(payload), V(after), V(after + 1)});
+  for (Term& payload : payloads)
+    state.components.push_back({true, std::move(payload), V(after), V(after + 1)});
   return state;
 }
 
@@ -51,18 +58,25 @@ Model Requires(std::int64_t id, Term icst, const Model& causal, std::vector<Term
 class PushThenGrab : public ::testing::Test {
  protected:
   PushThenGrab() : reasoner_({}, kFrame, &events_) {
-    const CompositeState at_door =
-        State(1, {Value(V(0), "place", O("door")), Value(V(0), "shape", O("cube")), Value(V(0), "size", O("large"))}, 1);
-    const CompositeState at_table = State(2, {Value(V(0), "place", O("table")), Value(V(0), "shape", O("cube")),
-                                              Value(V(0), "size", O("large")), Value(V(3), "holding", Term::Set({}))}, 1);
+    const CompositeState at_door = State(
+        1,
+        {Value(V(0), "place", O("door")), Value(V(0), "shape", O("cube")), Value(V(0), "size", O("large"))},
+        1);
+    const CompositeState at_table =
+        State(2,
+              {Value(V(0), "place", O("table")), Value(V(0), "shape", O("cube")),
+               Value(V(0), "size", O("large")), Value(V(3), "holding", Term::Set({}))},
+              1);
     const Model push = Causal(3, MakeCommand(O("push"), {V(2)}), Value(V(2), "place", O("table")));
     const Model grab = Causal(4, MakeCommand(O("grab"), {V(2)}), Value(V(2), "holding", Term::Set({V(3)})));
     const Model may_push = Requires(5, MakeIcst({1}, {}, {V(0)}), push, {V(0), V(4), V(5)});
     const Model may_grab = Requires(6, MakeIcst({2}, {}, {V(0), V(1)}), grab, {V(1), V(0), V(4), V(5)});
     const auto property = [](const Term& payload) { return Fact{true, payload, kAlways, 1}; };
-    reasoner_.LoadSeed({E("h"), E("s1")},
-                       {property(Value(E("s1"), "shape", O("sphere"))), property(Value(E("s1"), "size", O("large")))},
-                       {at_door, at_table}, {{push, {}, false}, {grab, {}, false}, {may_push, {}, false}, {may_grab, {}, false}});
+    reasoner_.LoadSeed(
+        {E("h"), E("s1")},
+        {property(Value(E("s1"), "shape", O("sphere"))), property(Value(E("s1"), "size", O("large")))},
+        {at_door, at_table},
+        {{push, {}, false}, {grab, {}, false}, {may_push, {}, false}, {may_grab, {}, false}});
   }
 
   void See(const std::string& place, std::int64_t frame) {
@@ -80,14 +94,15 @@ TEST_F(PushThenGrab, AChainIsGeneralisedFromTheGoalBackwards) {
   See("door", 0);
   reasoner_.SetDrive("hold s1", Value(E("h"), "holding", Term::Set({E("s1")})), Time{800'000});
   const auto wish = reasoner_.Decide();
-  // then grasping is generalised first (3 of 4, one of them to be brought about), then pushing (2 of 3), and the plan
-  // is as sure as both together.
+  // then grasping is generalised first (3 of 4, one of them to be brought about), then pushing (2 of 3), and
+  // the plan is as sure as both together.
   ASSERT_TRUE(wish.has_value());
   EXPECT_EQ(ToText(wish->command), "(cmd push [s1])");
   std::vector<std::string> accepted;
   for (const AnalogyCompared* c : events_.All<AnalogyCompared>()) {
     if (c->verdict != AnalogyVerdict::kAccepted) continue;
-    accepted.push_back(std::to_string(c->matched) + "+" + std::to_string(c->achievable) + " of " + std::to_string(c->total));
+    accepted.push_back(std::to_string(c->matched) + "+" + std::to_string(c->achievable) + " of " +
+                       std::to_string(c->total));
   }
   EXPECT_THAT(accepted, ElementsAre("2+1 of 4", "2+0 of 3"));
   const auto committed = events_.All<PlanCommitted>();
@@ -100,7 +115,8 @@ TEST_F(PushThenGrab, TheSecondStepIsReadyWhenTheFirstHasCome) {
   reasoner_.SetDrive("hold s1", Value(E("h"), "holding", Term::Set({E("s1")})), Time{800'000});
   const auto wish = reasoner_.Decide();
   ASSERT_TRUE(wish.has_value());
-  reasoner_.Executed(wish->command, reasoner_.CommandIssued(wish->command, Commander::kAgent, wish->drive, wish->event));
+  reasoner_.Executed(wish->command,
+                     reasoner_.CommandIssued(wish->command, Commander::kAgent, wish->drive, wish->event));
   See("table", 1);
   EXPECT_EQ(events_.All<PredictionSucceeded>().size(), 1u);
   const auto next = reasoner_.Decide();
@@ -126,7 +142,8 @@ TEST_F(PushThenGrab, InOpenaeraModeTwoObservedConditionsAreTooFew) {
 }
 
 TEST(Planning, LettingGoIsAboutWhatIsHeld) {
-  // Given s1 in the hand, when nothing is wanted in it, then no plan takes another thing first in order to release it.
+  // Given s1 in the hand, when nothing is wanted in it, then no plan takes another thing first in order to
+  // release it.
   PickAndPlace task;
   task.TeachBothGrasps();
   EXPECT_EQ(task.Pursue({task.Holding("s1"), task.Holding("")}), 2);

@@ -19,7 +19,9 @@ Rating Start(double count, double rate, bool strong = false) {
   return {{rate * count, count}, strong, ModelState::kActive};
 }
 
-Rating PhasedOut(double count, double rate) { return {{rate * count, count}, true, ModelState::kPhasedOut}; }
+Rating PhasedOut(double count, double rate) {
+  return {{rate * count, count}, true, ModelState::kPhasedOut};
+}
 
 std::vector<double> Rates(Rating rating, const std::string& outcomes) {
   std::vector<double> rates;
@@ -33,7 +35,8 @@ std::vector<double> Rates(Rating rating, const std::string& outcomes) {
 void ExpectRates(const Rating& start, const std::string& outcomes, const std::vector<double>& expected) {
   const std::vector<double> rates = Rates(start, outcomes);
   ASSERT_EQ(rates.size(), expected.size());
-  for (std::size_t i = 0; i < rates.size(); ++i) EXPECT_NEAR(rates[i], expected[i], 1e-4) << "outcome " << i + 1;
+  for (std::size_t i = 0; i < rates.size(); ++i)
+    EXPECT_NEAR(rates[i], expected[i], 1e-4) << "outcome " << i + 1;
 }
 
 TEST(Rating, Row1_OneFailureOfAFreshModelIsSurvived) {
@@ -65,8 +68,8 @@ TEST(Rating, Row4_FiveSuccessesMakeAModelStrongAndStartTheCountAnew) {
 }
 
 TEST(Rating, Row5_AStrongModelIsPhasedOutWhereAnotherIsDeleted) {
-  // OpenAERA (semantics 10.3, row 5): 1, 1, 1 | F F | 2, .5; then .3333: phased out. Own: the failing evidence is
-  // stored (OpenAERA keeps 2, .5).
+  // OpenAERA (semantics 10.3, row 5): 1, 1, 1 | F F | 2, .5; then .3333: phased out. Own: the failing
+  // evidence is stored (OpenAERA keeps 2, .5).
   const Rating first = After(Start(1, 1, true), "F");
   EXPECT_EQ(first.evidence, (Evidence{1, 2}));
   EXPECT_EQ(first.state, ModelState::kActive);

@@ -93,7 +93,8 @@ TEST(Scene, AnUnknownCameraIsRefused) {
   Scene scene = SmallScene();
   const Status status = scene.Show(SmallWorldState(), Named("front"));
   ASSERT_FALSE(status);
-  EXPECT_EQ(status.error().message, "the scene has no camera named front; it has top, side, above, side, at:ENTITY and free");
+  EXPECT_EQ(status.error().message,
+            "the scene has no camera named front; it has top, side, above, side, at:ENTITY and free");
 }
 
 TEST(Scene, AFreeCameraLooksAtItsPoint) {
