@@ -113,7 +113,7 @@ async function measure(browser, file) {
     if (context) await context.close();
     context = await browser.newContext({ viewport: { width: 1440, height: 900 } });
     page = await context.newPage();
-    page.on("pageerror", (error) => console.error(`error: ${error.message}`));
+    page.on("pageerror", (error) => { console.error(`error: ${out.file}: ${error.message}`); process.exitCode = 1; });
     await page.addInitScript(watch);
     await page.goto("file://" + path.resolve(file), { waitUntil: "commit" });
     await page.waitForFunction(() => window.__bench && window.__bench.ready, null, { timeout: 180000 });

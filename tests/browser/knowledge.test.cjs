@@ -128,6 +128,13 @@ test("the life of a thing has what was seen of it, that of a state only when it 
   await close();
 });
 
+test("of a long life the turns are told", async () => {
+  const { page, close } = await open("scenarios/moving_ball", { hash: "#t=2.9&sel=mdl_10" });
+  const life = await page.locator("#inspector .block", { hasText: "Its life" }).textContent();
+  for (const words of ["mdl_10 failed too often and only predicts silently now.", "mdl_10 is in use again.", "and 25 more"]) assert.ok(life.includes(words), words + "; " + life);
+  await close();
+});
+
 test("vetoes are apart from what allows a model", async () => {
   const { page, close } = await open("scenarios/hand_grab_sphere_learn", { hash: "#t=2&sel=mdl_44" });
   const block = page.locator("#inspector .block", { hasText: "When does it work?" });

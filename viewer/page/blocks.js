@@ -16,10 +16,10 @@ async function unpackedBytes(block) {
 }
 
 // A block by its id; a page without it says so. The script begins before the whole page is read, so a block may be
-// still to come.
+// still to come, or be there in part: one is whole when something follows it.
 async function blockNamed(id) {
   let block = document.getElementById(id);
-  if (!block && document.readyState === "loading") {
+  if (document.readyState === "loading" && !(block && block.nextElementSibling)) {
     await new Promise((resume) => { document.addEventListener("DOMContentLoaded", resume, { once: true }); });
     block = document.getElementById(id);
   }

@@ -1,6 +1,6 @@
 // ---- inspector.js: what the selected thing says, how sure, what was compared, why it exists, what it led to.
 
-const ROWS_OF_A_LIFE = 40;
+const ROWS_OF_A_LIFE = 16;   // each may need sentences from another part of a long run
 const USED_BY_PREDICTION = 0, USED_IN_COMPARISON = 2;   // what bound the variables
 
 function inspectorPane(app) {
@@ -398,7 +398,9 @@ function inspectorPane(app) {
     const told = [...events.subarray(0, 5000)].filter((event) => !app.log.imagined(event) && tells(event));
     const thing = subject.kind === "thing" && app.report.objects.find((one) => "thing:" + one.name === subject.id);
     const life = thing ? [...new Set([...told, ...thing.changes.map((change) => change.event)])].sort((one, other) => one - other) : told;
-    const shown = life.slice(0, ROWS_OF_A_LIFE);
+    // Of a long life rather the turns than every time it was right.
+    const turns = life.length > ROWS_OF_A_LIFE ? life.filter((event) => !is(event, "EvidenceUpdated") || app.log.failed(event)) : life;
+    const shown = turns.slice(0, ROWS_OF_A_LIFE);
     const all = thing ? `The ${events.length} events that are about it`
       : events.length === 1 ? "The one event that speaks of it" : `All ${events.length} events that speak of it`;
     return block(heading({ thing: "What happened with it?", state: "When did it hold?" }[subject.kind] || "Its life", "", "part-life"),
