@@ -457,6 +457,22 @@ std::string BindingsText(const std::vector<Binding>& bindings) {
   return Join(texts, ", ");
 }
 
+std::string_view WordsOf(Origin origin) {
+  switch (origin) {
+    case Origin::kSeed:
+      return "given";
+    case Origin::kInduction:
+      return "learned";
+    case Origin::kPredictionFailure:
+      return "learned from a failed prediction";
+    case Origin::kGoalSuccess:
+      return "learned from a goal that was reached";
+    case Origin::kAnalogy:
+      return "made by analogy";
+  }
+  return {};
+}
+
 std::string SecondsText(Time time) {
   if (time >= kForever) return "forever";
   return PlainNumber(static_cast<double>(time.us) / 1e6) + " s";

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/query/run.h"
@@ -84,6 +85,9 @@ std::string StepText(const KnowledgeBase& knowledge, const PlanStep& step);
 std::string FactText(const KnowledgeBase& knowledge, const Fact& fact);
 // A value for people: at most four decimals, vectors as (x, y).
 std::string ValueText(const Term& value, const std::vector<std::string>& names = {});
+
+// How knowledge came about: "given", "learned from a failed prediction", "made by analogy".
+std::string_view WordsOf(Origin origin);
 
 // What the variables of a composite state stand for in an instance: name and value, unbound ones left out.
 struct Binding {

@@ -1,5 +1,6 @@
 // The items of a difference in words.
 #include "engine/base/text.h"
+#include "engine/query/describe.h"
 #include "engine/query/kb_diff.h"
 #include "engine/query/words.h"
 
@@ -42,22 +43,6 @@ std::string StateText(ModelState state) {
   return state == ModelState::kActive ? "active" : std::string(WordsOf(state));
 }
 
-std::string OriginText(Origin origin) {
-  switch (origin) {
-    case Origin::kSeed:
-      return "given";
-    case Origin::kInduction:
-      return "learned";
-    case Origin::kPredictionFailure:
-      return "learned from a failed prediction";
-    case Origin::kGoalSuccess:
-      return "learned from a goal that was reached";
-    case Origin::kAnalogy:
-      return "made by analogy";
-  }
-  return {};
-}
-
 std::string AspectText(const std::string& aspect, const KbDiffSide& left, const KbDiffSide& right) {
   const auto from_to = [&](const std::string& a, const std::string& b) {
     return aspect + " " + a + " and " + b;
@@ -67,7 +52,8 @@ std::string AspectText(const std::string& aspect, const KbDiffSide& left, const 
   if (aspect == "strength")
     return from_to(left.strong ? "confirmed" : "open", right.strong ? "confirmed" : "open");
   if (aspect == "state") return from_to(StateText(left.model_state), StateText(right.model_state));
-  if (aspect == "origin") return from_to(OriginText(left.origin), OriginText(right.origin));
+  if (aspect == "origin")
+    return from_to(std::string(WordsOf(left.origin)), std::string(WordsOf(right.origin)));
   if (aspect == "copies") return from_to(std::to_string(left.copies), std::to_string(right.copies));
   const auto source = [](const KbDiffSide& side) {
     return side.derived_from.empty() ? std::string("from nothing") : "from " + side.derived_from;

@@ -86,7 +86,7 @@ json PieceData(const std::optional<KbDiffSide>& side, ModelGraphNodeKind kind, c
                {"state", side->state},
                {"target", side->target},
                {"copies", side->copies},
-               {"how", EnumName(side->origin)},
+               {"how", WordsOf(side->origin)},
                {"from", side->derived_from}};
   if (side->delay > Duration{}) data["before"] = SecondsText(Time{side->delay.us});
   if (kind == ModelGraphNodeKind::kCompositeState) return data;

@@ -78,7 +78,7 @@ function factsTable(item) {
   };
   add("confidence", (side) => sureText(side.sure), true);
   add("evidence", (side) => `right ${countText(side.positive)} of ${countText(side.total)}`, true);
-  add("came by", (side) => ORIGIN_WORDS[side.how], true);
+  add("came by", (side) => side.how, true);
   if (item.aspects.includes("derivation")) add("made from", (side) => side.from || "nothing");
   else if ((left && left.from) || (right && right.from)) add("made from", (side) => side.from || "nothing", true);
   add("strength", (side) => (side.strong ? "confirmed" : "open"));

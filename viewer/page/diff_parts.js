@@ -10,8 +10,6 @@ const KINDS = [
 const KIND_WORDS = new Map([...KINDS, ["same", "the same"]]);
 const NODE_WORDS = { composite_state: "composite state", causal_model: "causal model", requirement_model: "requirement model",
   strong_requirement_model: "veto", reuse_model: "reuse model", drive_model: "drive model" };
-const ORIGIN_WORDS = { seed: "given", induction: "learned", prediction_failure: "learned from a failed prediction",
-  goal_success: "learned from a goal that was reached", analogy: "made by analogy" };
 const STATE_WORDS = { active: "active", phased_out: "phased out", deleted: "given up" };
 const ENDINGS = [["", "open"], ["check", "reached"], ["cross", "missed"]];
 
@@ -96,7 +94,7 @@ function aspectsText({ aspects, left, right }) {
     if (aspect === "evidence") return `both ${sureText(left.sure)}: A ${counts(left)}, B ${counts(right)}`;
     if (aspect === "strength") return right.strong ? "confirmed in B only" : "confirmed in A only";
     if (aspect === "state") return `A ${sideState(left)}, B ${sideState(right)}`;
-    if (aspect === "origin") return `A ${ORIGIN_WORDS[left.how]}, B ${ORIGIN_WORDS[right.how]}`;
+    if (aspect === "origin") return `A ${left.how}, B ${right.how}`;
     if (aspect === "copies") return `A has it ${left.copies} times, B ${right.copies}`;
     return "made from another piece";
   }).join("; ");

@@ -16,22 +16,6 @@ using nlohmann::json;
 
 constexpr std::size_t kLongestText = 2000;  // code points
 
-std::string HowMade(Origin origin) {
-  switch (origin) {
-    case Origin::kSeed:
-      return "given";
-    case Origin::kInduction:
-      return "learned";
-    case Origin::kPredictionFailure:
-      return "learned from a failed prediction";
-    case Origin::kGoalSuccess:
-      return "learned from a goal reached";
-    case Origin::kAnalogy:
-      return "made by analogy";
-  }
-  return "";
-}
-
 std::string_view KindWord(SubjectKind kind) {
   switch (kind) {
     case SubjectKind::kRequirement:
@@ -199,8 +183,8 @@ class DetailAuthor {
   }
 
   std::string MadeNote(Origin origin, Time created) const {
-    if (origin == Origin::kSeed) return HowMade(origin);
-    return HowMade(origin) + " at " + SecondsText(created);
+    const std::string words(WordsOf(origin));
+    return origin == Origin::kSeed ? words : words + " at " + SecondsText(created);
   }
 
   // In the order of the steps in the log: what moved it, and the evidence after that.

@@ -1,15 +1,17 @@
 // Short words for building terms in tests: E("h"), O("position"), N(5), V(0) ...
 #pragma once
 
+#include <string_view>
+
 #include "engine/kb/composite_state.h"
 #include "engine/kb/model.h"
 
 namespace aerascope {
 
-inline Term E(const char* name) {
+inline Term E(std::string_view name) {
   return Term::Entity(name);
 }
-inline Term O(const char* name) {
+inline Term O(std::string_view name) {
   return Term::Ontology(name);
 }
 inline Term N(double value) {

@@ -2,20 +2,12 @@
 
 #include <cassert>
 
+#include "tests/engine/kb/build_terms.h"
+
 namespace aerascope {
 namespace {
 
 constexpr Duration kFrame = Milliseconds(100);
-
-Term E(const std::string& name) {
-  return Term::Entity(name);
-}
-Term O(const std::string& name) {
-  return Term::Ontology(name);
-}
-Term V(int index) {
-  return Term::Variable(index);
-}
 
 ScriptedObject Object(const std::string& name, double position, const std::string& shape,
                       const std::string& size) {

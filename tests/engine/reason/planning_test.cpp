@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/engine/kb/build_terms.h"
 #include "tests/engine/reason/pick_and_place.h"
 
 namespace aerascope {
@@ -12,15 +13,6 @@ using ::testing::ElementsAre;
 
 constexpr Duration kFrame = Milliseconds(100);
 
-Term E(const std::string& name) {
-  return Term::Entity(name);
-}
-Term O(const std::string& name) {
-  return Term::Ontology(name);
-}
-Term V(int index) {
-  return Term::Variable(index);
-}
 Term Value(Term object, const std::string& attribute, Term value) {
   return MakeValue(std::move(object), O(attribute), std::move(value));
 }
