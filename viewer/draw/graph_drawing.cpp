@@ -4,8 +4,8 @@
 
 #include "engine/query/describe.h"
 #include "engine/query/model_history.h"
+#include "engine/query/story.h"
 #include "viewer/draw/marks.h"
-#include "viewer/draw/story.h"
 #include "viewer/draw/text_fit.h"
 
 namespace aerascope {

@@ -19,6 +19,7 @@ constexpr std::array<double, kMomentKinds> kWear = {0.25, 0.2, 0.5, 1, 1, 1, 0.5
 std::vector<KeyMoment> Candidates(const Run& run, const EpisodeSummary& summary) {
   std::vector<KeyMoment> candidates;
   for (StoryMoment& moment : StoryOf(run, summary)) {
+    for (std::string& sentence : moment.sentences) sentence = InPrint(sentence);
     candidates.push_back(
         {run.frames()[moment.frame].interval.after, moment.kind, moment.event, std::move(moment.sentences)});
   }

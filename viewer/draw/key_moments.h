@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/query/run.h"
-#include "viewer/draw/story.h"
+#include "engine/query/story.h"
 
 namespace aerascope {
 

@@ -4,10 +4,10 @@
 
 #include "engine/base/text.h"
 #include "engine/query/describe.h"
+#include "engine/query/story.h"
 #include "viewer/draw/curves.h"
 #include "viewer/draw/lane_bars.h"
 #include "viewer/draw/marks.h"
-#include "viewer/draw/story.h"
 #include "viewer/draw/text_fit.h"
 #include "viewer/draw/time_scale.h"
 

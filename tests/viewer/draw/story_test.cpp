@@ -1,4 +1,4 @@
-#include "viewer/draw/story.h"
+#include "engine/query/story.h"
 
 #include <gtest/gtest.h>
 

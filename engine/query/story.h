@@ -30,7 +30,7 @@ struct StoryMoment {
   std::size_t frame = 0;                 // position in run.frames()
   MomentKind kind = MomentKind::kStart;  // the most telling thing that happened then
   EventId event;                         // that thing, the first of its kind
-  std::vector<std::string> sentences;    // the most telling first, fit for print
+  std::vector<std::string> sentences;    // the most telling first
 };
 
 // All frames in which something of the kind happened, in order of time. A run without frames has none.

@@ -1,4 +1,4 @@
-#include "viewer/draw/story.h"
+#include "engine/query/story.h"
 
 #include <algorithm>
 #include <map>
@@ -9,7 +9,6 @@
 #include "engine/query/describe.h"
 #include "engine/query/model_history.h"
 #include "engine/query/words.h"
-#include "viewer/draw/text_fit.h"
 
 namespace aerascope {
 namespace {
@@ -77,7 +76,6 @@ class Storyteller {
       if (draft.first.empty()) continue;
       const auto& [kind, event] = *draft.first.begin();
       StoryMoment moment{frame, kind, event, SentencesOf(draft)};
-      for (std::string& sentence : moment.sentences) sentence = InPrint(sentence);
       story.push_back(std::move(moment));
     }
     return story;
